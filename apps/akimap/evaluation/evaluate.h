@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/AkiMap.h>
+#include <mrpt/maps/COctoMap.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <ostream>
+
+#include "evaluation/metrics.h"
+#include "evaluation/truth.h"
+
+namespace akimap::app {
+
+/** Accuracy of a map against a truth. */
+struct Evaluation {
+    Scores known;     ///< over the cells that the map has evidence for
+    Scores all;       ///< over every cell of known truth; without evidence the occupancy is 0.5
+    double coverage;  ///< known cells / all cells
+};
+
+/** What a map says of the cell at a centre (x, y, z) [m]; empty without evidence. */
+using OccupancyLookup = std::function<std::optional<double>(double, double, double)>;
+
+/** Scores the cells of known truth whose centre lies in the box.
+ * \param resolution the map's cell size [m]
+ * \exception std::runtime_error if the truth's differs from it by more than 1e-6 of it, or if
+ * there is no cell to score, or more than kMaxScoredCells */
+[[nodiscard]] Evaluation evaluate(const OccupancyLookup& lookup, double resolution,
+                                  const Truth& truth, const Box& box = {});
+[[nodiscard]] Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box = {});
+[[nodiscard]] Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth,
+                                  const Box& box = {});
+
+/** Pruned leaves can stand for any number of cells; 24 bytes are needed for each. */
+inline constexpr double kMaxScoredCells = 1e8;
+
+/** Rows: the figures; columns: known and all. Undefined figures are shown as '-'. */
+void printTable(const Evaluation& evaluation, std::ostream& out);
+
+/** Flat: known_auc, ..., all_cells, coverage. Undefined figures are null. */
+[[nodiscard]] nlohmann::ordered_json toJson(const Evaluation& evaluation);
+
+}  // namespace akimap::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "input/ObjectReader.h"
+
+#include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <vector>
+
+#include "input/files.h"
+
+namespace akimap::app {
+
+using mrpt::serialization::CSerializable;
+
+/** What CArchive needs of a stream. Unlike MRPT's streams it refuses a read that gets fewer bytes
+ * than asked for, where CArchive would go on with half-filled numbers and vectors. */
+class ObjectReader::Stream {
+   public:
+    explicit Stream(const std::string& file) {
+        if (!gz_.open(file)) throw std::runtime_error(file + ": can't be read");
+    }
+
+    size_t Read(void* buffer, size_t count) {
+        const size_t n = gz_.Read(buffer, count);
+        // zlib's -1 for a wrong checksum or code arrives as a huge unsigned number.
+        damaged = n > count;
+        if (damaged) throw std::runtime_error("the compressed data are damaged");
+        position += n;
+        if (n < count) {
+            at_end = true;
+            throw std::runtime_error("the file ends here");
+        }
+        return n;
+    }
+    size_t Write(const void*, size_t) { throw std::logic_error("this stream is for reading"); }
+    std::string getStreamDescription() const { return "the file"; }
+
+    uint64_t position = 0;  ///< [bytes] unpacked
+    bool at_end = false, damaged = false;
+    std::vector<uint32_t> object_starts;  ///< low 32 bits of the positions between objects
+
+   private:
+    mrpt::io::CFileGZInputStream gz_;
+};
+
+namespace {
+
+/** MRPT's messages: only what went wrong, without call stacks and nested wrappings. */
+std::string innermost(std::string message) {
+    const std::string wrapping = "Original exception:\n";
+    if (const auto at = message.rfind(wrapping); at != std::string::npos)
+        message.erase(0, at + wrapping.size());
+    message.resize(std::min(message.find('\n'), message.size()));
+    return message;
+}
+
+}  // namespace
+
+ObjectReader::ObjectReader(const std::string& file) : file_(file) {
+    requireReadable(file);
+    stream_ = std::make_unique<Stream>(file);
+}
+
+ObjectReader::~ObjectReader() = default;
+
+void ObjectReader::refuse(const std::string& what) const {
+    throw std::runtime_error(file_ + ": object " + std::to_string(objects_ + 1) + ", byte " +
+                             std::to_string(stream_->position) + ": " + what);
+}
+
+CSerializable::Ptr ObjectReader::next() {
+    const uint64_t start = stream_->position;
+    stream_->object_starts.push_back(static_cast<uint32_t>(start));
+    try {
+        auto archive = mrpt::serialization::archiveFrom(*stream_);
+        for (;;) {
+            CSerializable::Ptr object = archive.ReadObject();
+            objects_++;
+            if (object) return object;  // MRPT can store null pointers too
+        }
+    } catch (const std::bad_alloc&) {
+        refuse("it claims an impossible size");
+    } catch (const std::exception& e) {
+        if (stream_->damaged) refuse("the compressed data are damaged");
+        if (!stream_->at_end) refuse(innermost(e.what()));
+        if (stream_->position != start)
+            throw CutFile(file_ + ": the file ends inside object " + std::to_string(objects_ + 1) +
+                          ", at byte " + std::to_string(stream_->position));
+    }
+    checkGzEnd();
+    return nullptr;
+}
+
+/** zlib reads a cut gz file silently up to where it is cut, and MRPT doesn't ask it. A whole one
+ * ends with the unpacked size, mod 2^32, of its last member: that of the file, or of what was
+ * appended behind an object. */
+void ObjectReader::checkGzEnd() const {
+    std::ifstream in(file_, std::ios::binary);
+    std::array<char, 2> magic{};
+    in.read(magic.data(), 2);
+    if (!in || magic != std::array<char, 2>{'\x1f', '\x8b'}) return;
+    std::array<unsigned char, 4> last{};
+    in.seekg(-4, std::ios::end);
+    in.read(reinterpret_cast<char*>(last.data()), 4);
+    const uint32_t size = uint32_t{last[0]} | uint32_t{last[1]} << 8 | uint32_t{last[2]} << 16 |
+                          uint32_t{last[3]} << 24;
+    const auto start = static_cast<uint32_t>(stream_->position) - size;
+    const auto& starts = stream_->object_starts;
+    if (!in || std::find(starts.begin(), starts.end(), start) == starts.end())
+        throw CutFile(file_ + ": the gz stream ends early, behind object " +
+                      std::to_string(objects_) + ", at unpacked byte " +
+                      std::to_string(stream_->position));
+}
+
+}  // namespace akimap::app

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "input/RobotPath.h"
+
+#include <mrpt/math/slerp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+#include "input/files.h"
+#include "input/numbers.h"
+
+namespace akimap::app {
+
+namespace {
+
+using mrpt::math::CQuaternionDouble;
+using mrpt::math::TPose3DQuat;
+using mrpt::poses::CPose3D;
+using Time = mrpt::Clock::time_point;
+using Sample = RobotPath::Sample;
+
+constexpr auto kTimeTolerance = std::chrono::milliseconds(1);
+
+CQuaternionDouble rotationOf(const TPose3DQuat& p) { return {p.qr, p.qx, p.qy, p.qz}; }
+
+CPose3D toPose(const TPose3DQuat& p) { return CPose3D(rotationOf(p), p.x, p.y, p.z); }
+
+CPose3D between(const Sample& a, const Sample& b, Time time) {
+    const double t = static_cast<double>((time - a.time).count()) /
+                     static_cast<double>((b.time - a.time).count());
+    CQuaternionDouble q;
+    mrpt::math::slerp(rotationOf(a.pose), rotationOf(b.pose), t, q);
+    q.normalize();
+    const auto linear = [t](double from, double to) { return from + t * (to - from); };
+    return CPose3D(q, linear(a.pose.x, b.pose.x), linear(a.pose.y, b.pose.y),
+                   linear(a.pose.z, b.pose.z));
+}
+
+mrpt::Clock::duration toDuration(double seconds) {
+    // One more microsecond, so that samples written every max_gap seconds count as near enough.
+    constexpr double a_century = 3.2e9;
+    return std::chrono::duration_cast<mrpt::Clock::duration>(
+        std::chrono::duration<double>(std::min(seconds, a_century) + 1e-6));
+}
+
+/** The sample on a line of a TUM file. \exception std::runtime_error saying what is wrong */
+Sample parseSample(const std::vector<std::string_view>& words) {
+    if (words.size() != 8)
+        throw std::runtime_error("expected 8 numbers, time x y z qx qy qz qw, and found " +
+                                 std::to_string(words.size()));
+    std::array<double, 8> v{};
+    for (std::size_t i = 0; i < v.size(); i++)
+        if (!parseNumber(words[i], v[i]) || !std::isfinite(v[i]))
+            throw std::runtime_error("'" + std::string(words[i]) + "' is not a finite number");
+    if (v[0] < 0 || v[0] > 1e11)
+        throw std::runtime_error("'" + std::string(words[0]) + "' is not a time in seconds");
+    const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
+    if (std::abs(norm - 1) > 0.05)
+        throw std::runtime_error("qx qy qz qw is not a unit quaternion: its norm is " +
+                                 std::to_string(norm));
+    return {mrpt::Clock::fromDouble(v[0]),
+            {v[1], v[2], v[3], v[7] / norm, v[4] / norm, v[5] / norm, v[6] / norm}};
+}
+
+}  // namespace
+
+RobotPath::RobotPath(std::vector<Sample> samples, double max_gap)
+    : samples_(std::move(samples)), max_gap_(toDuration(max_gap)) {
+    std::stable_sort(samples_.begin(), samples_.end(),
+                     [](const Sample& a, const Sample& b) { return a.time < b.time; });
+    const auto same_time = [](const Sample& a, const Sample& b) { return a.time == b.time; };
+    const auto first_kept = std::unique(samples_.rbegin(), samples_.rend(), same_time).base();
+    samples_.erase(samples_.begin(), first_kept);
+}
+
+RobotPath RobotPath::loadTum(const std::string& file, double max_gap) {
+    requireReadable(file);
+    std::ifstream in(file);
+    std::vector<Sample> samples;
+    std::vector<std::string_view> words;
+    std::string line;
+    for (std::size_t number = 1; std::getline(in, line); number++) {
+        splitWords(line, words);
+        if (words.empty() || words.front().front() == '#') continue;
+        try {
+            samples.push_back(parseSample(words));
+        } catch (const std::runtime_error& e) {
+            throw std::runtime_error(file + ":" + std::to_string(number) + ": " + e.what());
+        }
+    }
+    if (in.bad()) throw std::runtime_error(file + ": can't read the trajectory");
+    if (samples.empty()) throw std::runtime_error(file + ": the trajectory holds no poses");
+    return RobotPath(std::move(samples), max_gap);
+}
+
+std::optional<CPose3D> RobotPath::at(Time time) const {
+    const auto after =
+        std::lower_bound(samples_.begin(), samples_.end(), time,
+                         [](const Sample& sample, Time t) { return sample.time < t; });
+    const bool has_after = after != samples_.end(), has_before = after != samples_.begin();
+    if (has_after && after->time == time) return toPose(after->pose);
+    if (has_after && has_before && after->time - std::prev(after)->time <= max_gap_)
+        return between(*std::prev(after), *after, time);
+    if (has_after && after->time - time <= kTimeTolerance) return toPose(after->pose);
+    if (has_before && time - std::prev(after)->time <= kTimeTolerance)
+        return toPose(std::prev(after)->pose);
+    return std::nullopt;
+}
+
+}  // namespace akimap::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <mrpt/core/Clock.h>
+#include <mrpt/math/TPose3DQuat.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace akimap::app {
+
+/** The robot's pose in the map over time: linear between samples, its rotation by slerp. */
+class RobotPath {
+   public:
+    struct Sample {
+        mrpt::Clock::time_point time;
+        mrpt::math::TPose3DQuat pose;  ///< [m], unit quaternion
+    };
+
+    /** \param samples in any order; of those at one time the last is kept
+     * \param max_gap [s] samples farther apart are not interpolated between */
+    RobotPath(std::vector<Sample> samples, double max_gap);
+
+    /** Reads the TUM format: lines of `time x y z qx qy qz qw`, seconds and metres; blank lines
+     * and lines that start with '#' are skipped.
+     * \exception std::runtime_error naming the file and the line */
+    static RobotPath loadTum(const std::string& file, double max_gap);
+
+    /** The pose at that time; empty before the first sample, after the last, and within a gap.
+     * A sample stands in for times up to 1 ms away: many files hold no finer times. */
+    [[nodiscard]] std::optional<mrpt::poses::CPose3D> at(mrpt::Clock::time_point time) const;
+
+    [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }  ///< by time
+
+   private:
+    std::vector<Sample> samples_;
+    mrpt::Clock::duration max_gap_;
+};
+
+}  // namespace akimap::app

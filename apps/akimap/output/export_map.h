@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/AkiMap.h>
+
+#include <optional>
+#include <string>
+
+namespace akimap::app {
+
+struct ExportOptions {
+    double threshold = 0.5;       ///< [-] in (0,1). Cells with a higher occupancy are occupied
+    bool unknown = false;         ///< Draw cells without evidence too (.png, .3Dscene)
+    std::optional<double> slice;  ///< [m] Height of the picture's slice; default: 1 m above the floor
+};
+
+/** Writes the map as .csv, .ply, .pcd, .bt, .ot, .3Dscene or .png, by the file's extension. The
+ * file appears whole or not at all.
+ * \exception std::runtime_error naming the file and what is wrong */
+void exportMap(const AkiMap& map, const std::string& file, const ExportOptions& options = {});
+
+/** For asking before long work.
+ * \exception std::runtime_error if the extension is unknown or the file can't be written */
+void checkExportable(const std::string& file);
+
+}  // namespace akimap::app

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <mrpt/math/TBoundingBox.h>
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "simulation/Shape.h"
+
+namespace akimap::app {
+
+enum class SceneKind : uint8_t {
+    structured,   ///< walls, boxes, a table, shelves and pillars at fixed places
+    unstructured  ///< pillars, spheres and leaning slabs at random places
+};
+
+/** A robot's place on the floor: position [m] and the first of its headings [rad]. */
+struct ScanPlace {
+    double x, y, heading;
+};
+
+/** A room of 10 x 7 x 2 m with things in it. Its upright and level faces lie in the middle of
+ * 5 cm cells and a quarter into 10 cm cells, so that range noise rarely carries a return into
+ * the next cell. Const calls are thread-safe. */
+class Scene {
+   public:
+    /** Distance [m] from the origin, inside the room, to the first surface along the ray.
+     * \param direction  of unit length */
+    [[nodiscard]] std::optional<double> castRay(
+        const mrpt::math::TPoint3D& origin, const mrpt::math::TVector3D& direction,
+        double max_distance = std::numeric_limits<double>::infinity()) const;
+    /** Distance [m] from the point to the nearest surface, never negative. */
+    [[nodiscard]] double distanceToSurface(const mrpt::math::TPoint3D& point) const;
+
+    [[nodiscard]] const std::vector<ShapePtr>& shapes() const { return shapes_; }
+    /** Where scans are taken: clear of obstacles, together they see most of the room. */
+    [[nodiscard]] const std::vector<ScanPlace>& places() const { return places_; }
+    [[nodiscard]] static double floorHeight();  ///< [m]
+
+    void add(ShapePtr shape) { shapes_.push_back(std::move(shape)); }
+    void addPlace(const ScanPlace& place) { places_.push_back(place); }
+
+   private:
+    std::vector<ShapePtr> shapes_;
+    std::vector<ScanPlace> places_;
+};
+
+/** \param seed  places the things of the unstructured scene; the structured one is fixed */
+Scene makeScene(SceneKind kind, uint64_t seed);
+
+/** The box [m] to score maps in: room, walls and floor, on the faces of 5 and 10 cm cells. */
+mrpt::math::TBoundingBox scoringBox();
+
+}  // namespace akimap::app

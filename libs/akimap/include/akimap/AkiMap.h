@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/BlockGrid.h>
+#include <akimap/Options.h>
+#include <akimap/Ray.h>
+#include <mrpt/maps/CMetricMap.h>
+#include <mrpt/math/TBoundingBox.h>
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/opengl/CSetOfObjects.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace akimap {
+
+/** What insertions did since the map was made or cleared; not part of the map's state. */
+struct InsertionStats {
+    uint64_t scans = 0;              ///< insertions that changed the map
+    uint64_t rays = 0;               ///< returns offered
+    uint64_t points = 0;             ///< returns used: finite and within the ranges
+    uint64_t dropped_nonfinite = 0;  ///< a coordinate of the end or the origin is NaN or infinite
+    uint64_t dropped_zero = 0;       ///< zero-length rays
+    uint64_t dropped_range = 0;      ///< nearer than min_range or farther than max_range
+    uint64_t dropped_grid = 0;       ///< outside the cells that can be addressed
+    uint64_t samples_occupied = 0, samples_free = 0;  ///< after thinning
+    double seconds_sampling = 0, seconds_bandwidth = 0, seconds_update = 0;
+};
+
+/** The posterior of a cell, Eq. (2)-(4), prior included. */
+struct CellState {
+    double alpha = 0, beta = 0;
+    [[nodiscard]] double occupancy() const { return alpha / (alpha + beta); }  ///< Eq. (4)
+};
+
+/** Dense and sharp 3D occupancy map by adaptive kernel inference (Kwon, Moon and Yoon, AKIMap).
+ *
+ * Each return adds an occupied sample and free samples along its ray; each sample spreads its
+ * evidence over the cells inside an ellipsoid shaped by its neighbours. A cell *has evidence*
+ * once a kernel has reached its centre; all others are unknown.
+ *
+ * Frames: rays are in the map frame; observations are placed by robotPose (+) sensorPose.
+ * Threads: concurrent const calls are safe; insertions, clear() and loading must be alone.
+ * For a given seed the map's bits do not depend on the number of threads. */
+class AkiMap : public mrpt::maps::CMetricMap {
+    DEFINE_SERIALIZABLE(AkiMap, akimap)
+   public:
+    /** \param resolution side of a cell [m] \exception std::invalid_argument unless > 0 */
+    explicit AkiMap(double resolution = 0.05);
+    ~AkiMap() override;
+    AkiMap(const AkiMap& o);
+    AkiMap& operator=(const AkiMap& o);
+
+    TInsertionOptions insertionOptions;
+    TLikelihoodOptions likelihoodOptions;
+    TRenderingOptions renderingOptions;
+
+    MAP_DEFINITION_START(AkiMap)
+    double resolution = 0.05;  ///< [m] > 0. Side of a cell
+    akimap::TInsertionOptions insertionOpts;
+    akimap::TLikelihoodOptions likelihoodOpts;
+    akimap::TRenderingOptions renderingOpts;
+    MAP_DEFINITION_END(AkiMap)
+
+    /** Inserts one scan given as rays [m], map frame. Unusable rays are skipped and counted.
+     * \return whether the map changed
+     * \exception std::invalid_argument if insertionOptions are invalid; the map is unchanged */
+    bool insertRays(const std::vector<Ray>& rays);
+
+    /** The robot's pose in the map at a time; empty where it is not known. */
+    using RobotPoseAt =
+        std::function<std::optional<mrpt::poses::CPose3D>(mrpt::Clock::time_point)>;
+    /** Like insertObservation(), for a robot that moved during the scan: each Velodyne packet is
+     * placed, and its rays begin, where the sensor was when it was taken; packets at times of
+     * unknown pose are skipped. Other observations are placed by the pose at their timestamp.
+     * \return whether the map changed */
+    bool insertMovingObservation(const mrpt::obs::CObservation& obs, const RobotPoseAt& robot_pose_at);
+    [[nodiscard]] const InsertionStats& stats() const { return stats_; }
+
+    /** Removes all cells and takes a new cell size [m]. */
+    void setResolution(double resolution);
+    [[nodiscard]] double resolution() const { return grid_.resolution(); }  ///< [m]
+
+    /** The cell that holds the point [m]; empty where nothing is known. */
+    [[nodiscard]] std::optional<CellState> cell(double x, double y, double z) const;
+    /** Probability that the cell that holds the point [m] is occupied, Eq. (4). */
+    [[nodiscard]] std::optional<double> occupancy(double x, double y, double z) const;
+
+    /** Calls visit(TPoint3D center, CellState) for each cell with evidence, in a fixed order. */
+    template <class Visitor>
+    void forEachCell(Visitor&& visit) const {
+        grid_.forEachCell([&](const CellIndex& c, float a, float b) {
+            visit(mrpt::math::TPoint3D(grid_.center(c.x), grid_.center(c.y), grid_.center(c.z)),
+                  CellState{a + insertionOptions.prior_alpha, b + insertionOptions.prior_beta});
+        });
+    }
+    /** Centres [m] of the cells whose occupancy is above the threshold. */
+    [[nodiscard]] std::vector<mrpt::math::TPoint3Df> occupiedCells(double threshold = 0.5) const;
+    [[nodiscard]] std::size_t cellCount() const { return grid_.countCells(); }
+    [[nodiscard]] const BlockGrid& grid() const { return grid_; }
+
+    /** Box [m] around the cells with evidence; all zeros when empty. */
+    [[nodiscard]] mrpt::math::TBoundingBoxf boundingBox() const;
+
+    // The MRPT interface ------------------------------------------------------------------
+    [[nodiscard]] bool isEmpty() const override { return grid_.isEmpty(); }
+    [[nodiscard]] std::string asString() const override;
+    void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
+    /** Writes `<prefix>_3D.3Dscene` and `<prefix>.akimap`. */
+    void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+
+    /** Writes the map (gz, MRPT serialization) beside `file` and then renames it.
+     * \exception std::runtime_error naming the file */
+    void saveToFile(const std::string& file) const;
+    /** \exception std::runtime_error naming the file if it is missing, damaged or no AkiMap */
+    static AkiMap::Ptr loadFromFile(const std::string& file);
+
+   private:
+    void internal_clear() override;
+    bool internal_insertObservation(
+        const mrpt::obs::CObservation& obs,
+        const std::optional<const mrpt::poses::CPose3D>& robotPose) override;
+    double internal_computeObservationLikelihood(
+        const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& takenFrom) const override;
+    [[nodiscard]] bool internal_canComputeObservationLikelihood(
+        const mrpt::obs::CObservation& obs) const override;
+
+    struct Scratch;  // buffers kept between scans; not part of the map's state
+
+    BlockGrid grid_;
+    uint64_t scan_index_ = 0;  // with the seed, the whole random state
+    InsertionStats stats_;
+    std::unique_ptr<Scratch> scratch_;
+    const RobotPoseAt* moving_pose_ = nullptr;  // set during insertMovingObservation()
+};
+
+/** Registers the classes with MRPT. Loading the library does it too, but a linker that drops
+ * unused libraries (--as-needed) may never load it: C++ programs call this once. */
+void registerClasses();
+
+}  // namespace akimap

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/KeyTable.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace akimap {
+
+/** Index of a cell: cell i covers [i, i+1) * resolution on each axis. */
+struct CellIndex {
+    int32_t x = 0, y = 0, z = 0;
+    bool operator==(const CellIndex& o) const { return x == o.x && y == o.y && z == o.z; }
+};
+
+/** 8 x 8 x 8 cells. The sums of Eq. (2)-(3) without the prior, x running fastest;
+ * a cell has evidence if either sum is positive. */
+struct Block {
+    static constexpr int kSide = 8;
+    static constexpr int kCells = kSide * kSide * kSide;
+    alignas(32) std::array<float, kCells> alpha{};
+    alignas(32) std::array<float, kCells> beta{};
+
+    [[nodiscard]] static int offset(int x, int y, int z) { return (z * kSide + y) * kSide + x; }
+    [[nodiscard]] bool hasEvidence(int i) const { return alpha[i] > 0 || beta[i] > 0; }
+    [[nodiscard]] bool isEmpty() const;
+};
+
+/** No kernel may reach farther than this many cells from its sample. */
+constexpr int32_t kMaxKernelCells = 1024;
+
+/** Sparse grid of the sums of Eq. (2)-(3): a hash of dense blocks.
+ * Concurrent const calls are safe; a write must be alone. */
+class BlockGrid {
+   public:
+    /** A block's place: its cells are [8 * index, 8 * index + 8) on each axis. */
+    using BlockIndex = CellIndex;
+    /** Points outside [-kMaxCell, kMaxCell] cells on any axis can't be inserted: keys have room
+     * for 2^23, and the rest is for the kernels' reach. */
+    static constexpr int32_t kMaxCell = (1 << 23) - kMaxKernelCells;
+
+    explicit BlockGrid(double resolution);
+    BlockGrid(const BlockGrid& o);
+    BlockGrid& operator=(const BlockGrid& o);
+    BlockGrid(BlockGrid&&) = default;
+    BlockGrid& operator=(BlockGrid&&) = default;
+
+    [[nodiscard]] double resolution() const { return resolution_; }  ///< [m]
+    [[nodiscard]] bool isEmpty() const { return blocks_.empty(); }
+    [[nodiscard]] std::size_t blockCount() const { return blocks_.size(); }
+    [[nodiscard]] std::size_t countCells() const;   ///< cells with evidence; visits all
+    [[nodiscard]] std::size_t memoryBytes() const;  ///< blocks, index and slack
+
+    /** Whether the block's key is unique: 21 bits an axis. */
+    [[nodiscard]] static bool isAddressable(const BlockIndex& b) {
+        constexpr int32_t k = 1 << 20;
+        const auto inside = [](int32_t v) { return v >= -k && v < k; };
+        return inside(b.x) && inside(b.y) && inside(b.z);
+    }
+    /** False where the coordinate [m] lies outside the addressable cells or is not finite. */
+    [[nodiscard]] bool covers(double x, double y, double z) const;
+    [[nodiscard]] CellIndex cellAt(double x, double y, double z) const {
+        return {axisIndex(x), axisIndex(y), axisIndex(z)};
+    }
+    [[nodiscard]] double center(int32_t i) const { return (i + 0.5) * resolution_; }  ///< [m]
+
+    [[nodiscard]] const Block* find(const BlockIndex& b) const;
+    [[nodiscard]] Block* find(const BlockIndex& b);
+    /** \pre no block is there yet, and this one has evidence */
+    void adopt(const BlockIndex& b, std::unique_ptr<Block> block);
+    void clear();
+
+    [[nodiscard]] static BlockIndex blockOf(const CellIndex& c) {
+        return {c.x >> 3, c.y >> 3, c.z >> 3};
+    }
+    [[nodiscard]] static int offsetOf(const CellIndex& c) {
+        return Block::offset(c.x & 7, c.y & 7, c.z & 7);
+    }
+
+    /** Indices of all blocks in the defined order (z, then y, then x). */
+    [[nodiscard]] std::vector<BlockIndex> sortedBlocks() const;
+
+    /** Calls visit(CellIndex, float alphaSum, float betaSum) for each cell with evidence,
+     * in the order of sortedBlocks() and z, y, x within a block. */
+    template <class Visitor>
+    void forEachCell(Visitor&& visit) const {
+        for (const BlockIndex& b : sortedBlocks()) forEachCellOf(b, *find(b), visit);
+    }
+
+   private:
+    struct Slot {
+        uint64_t key;
+        std::unique_ptr<Block> block;
+    };
+
+    template <class Visitor>
+    static void forEachCellOf(const BlockIndex& b, const Block& block, Visitor& visit) {
+        for (int i = 0; i < Block::kCells; i++)
+            if (block.hasEvidence(i))
+                visit(CellIndex{b.x * 8 + (i & 7), b.y * 8 + (i >> 3 & 7), b.z * 8 + (i >> 6)},
+                      block.alpha[i], block.beta[i]);
+    }
+    [[nodiscard]] int32_t axisIndex(double v) const {
+        return static_cast<int32_t>(std::floor(v / resolution_));
+    }
+
+    double resolution_;
+    KeyTable index_;  // block key -> place in blocks_
+    std::vector<Slot> blocks_;
+};
+
+/** 21 bits an axis, z highest: sorting keys sorts blocks by z, y, x. */
+[[nodiscard]] inline uint64_t packKey(const CellIndex& c) {
+    constexpr int64_t kBias = 1 << 20;
+    constexpr uint64_t kMask = (1u << 21) - 1;
+    return (static_cast<uint64_t>(c.z + kBias) & kMask) << 42 |
+           (static_cast<uint64_t>(c.y + kBias) & kMask) << 21 |
+           (static_cast<uint64_t>(c.x + kBias) & kMask);
+}
+[[nodiscard]] inline CellIndex unpackKey(uint64_t key) {
+    constexpr int64_t kBias = 1 << 20;
+    constexpr uint64_t kMask = (1u << 21) - 1;
+    const auto axis = [&](int shift) {
+        return static_cast<int32_t>(static_cast<int64_t>(key >> shift & kMask) - kBias);
+    };
+    return {axis(0), axis(21), axis(42)};
+}
+
+}  // namespace akimap

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace akimap {
+
+/** Hash table from 64-bit keys to 32-bit values: open addressing with linear probing, at most
+ * half full. No erase. Concurrent const calls are safe. */
+class KeyTable {
+   public:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    /** The key's value, kNone if absent. */
+    [[nodiscard]] uint32_t find(uint64_t key) const {
+        if (slots_.empty()) return kNone;
+        for (std::size_t i = hash(key) & mask_;; i = (i + 1) & mask_) {
+            if (slots_[i].value == kNone) return kNone;
+            if (slots_[i].key == key) return slots_[i].value;
+        }
+    }
+
+    /** The value already there, or `value` put there now; second: whether it was put. */
+    std::pair<uint32_t, bool> insert(uint64_t key, uint32_t value) {
+        if (2 * (size_ + 1) > slots_.size()) grow();
+        std::size_t i = hash(key) & mask_;
+        for (; slots_[i].value != kNone; i = (i + 1) & mask_)
+            if (slots_[i].key == key) return {slots_[i].value, false};
+        slots_[i] = {key, value};
+        ++size_;
+        return {value, true};
+    }
+
+    /** Empties the table and keeps its memory. */
+    void clear() {
+        for (Slot& s : slots_) s.value = kNone;
+        size_ = 0;
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t memoryBytes() const { return slots_.capacity() * sizeof(Slot); }
+
+   private:
+    struct Slot {
+        uint64_t key = 0;
+        uint32_t value = kNone;
+    };
+
+    static std::size_t hash(uint64_t key) {  // the finalizer of SplitMix64
+        key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
+        key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
+        return static_cast<std::size_t>(key ^ (key >> 31));
+    }
+    void grow() {
+        std::vector<Slot> old(slots_.empty() ? 64 : slots_.size() * 2);
+        old.swap(slots_);
+        mask_ = slots_.size() - 1;
+        size_ = 0;
+        for (const Slot& s : old)
+            if (s.value != kNone) insert(s.key, s.value);
+    }
+
+    std::vector<Slot> slots_;
+    std::size_t mask_ = 0, size_ = 0;
+};
+
+}  // namespace akimap

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <mrpt/config/CLoadableOptions.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <cstdint>
+#include <string>
+
+namespace akimap {
+
+/** How the kernel of a sample gets its bandwidth matrix H (paper, Sec. IV-C). */
+enum class Bandwidth : uint8_t {
+    adaptive = 0,    ///< H = s^2 * covariance, the scale s by Eq. (7): the paper's method
+    covariance = 1,  ///< H = covariance of the neighbours of the same label
+    isotropic = 2    ///< H = isotropic_length^2 * I, no neighbours: the paper's rivals
+};
+
+/** The region around a sample in which its neighbours are sought. */
+enum class SearchRegion : uint8_t {
+    ball = 0,  ///< radius = the search range (the authors' code)
+    box = 1    ///< half side = the search range (the paper's drawing)
+};
+
+/** What the second moments of the neighbours are taken about. */
+enum class CovarianceCenter : uint8_t {
+    sample = 0,  ///< about the sample itself, divided by M - 2 (the authors' code)
+    mean = 1     ///< about the neighbours' mean, divided by M - 1
+};
+
+/** The method's constants. Plain data: the rooms of the method know nothing else of the map.
+ * The defaults are the paper's, and where the paper is silent its authors' code's. */
+struct InsertionParameters {
+    double min_range = 0;              ///< [m] >= 0. Returns nearer to their own ray origin are dropped
+    double max_range = 8.0;            ///< [m] > min_range. Returns farther away are dropped
+    double sampling_distance = 0.5;    ///< [m] > 0. One free sample in each such stretch of a ray
+    double search_range_origin = 0;    ///< [m] >= 0. Search range at the sensor; 0: one cell
+    double search_range_max = 0.5;     ///< [m] > 0. Search range at max_range; linear in between
+    SearchRegion search_region = SearchRegion::ball;
+    CovarianceCenter covariance_center = CovarianceCenter::sample;
+    double covariance_floor = 1e-3;    ///< [m^2] > 0. Added to the covariance's diagonal
+    Bandwidth bandwidth = Bandwidth::adaptive;
+    double isotropic_length = 0.2;     ///< [m] > 0. Support radius for bandwidth = isotropic
+    double scale_min_length = 0;       ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this long; 0: one cell
+    double scale_max = 1.0;            ///< [-] > 0. Upper bound of the length scale in Eq. (7)
+    double prior_alpha = 1e-3;         ///< [-] > 0. Beta prior of every cell, occupied (Eq. 2)
+    double prior_beta = 1e-3;          ///< [-] > 0. Beta prior of every cell, free (Eq. 3)
+    uint64_t seed = 1;                 ///< Seed of the free samples' random places
+    uint32_t threads = 0;              ///< 0: all cores. The map does not depend on it
+
+    /** \exception std::invalid_argument naming the parameter and its value. */
+    void validate() const;
+};
+
+/** How well an observation fits the map. */
+struct LikelihoodParameters {
+    uint32_t decimation = 1;  ///< >= 1. Use one return in every `decimation`
+    double p_unknown = 0.3;   ///< [-] in (0,1). Occupancy assumed where nothing is known
+    double p_outlier = 0.05;  ///< [-] in (0,1). Share of returns that no map explains: bounds the loss
+
+    void validate() const;
+};
+
+/** How the map is drawn. */
+struct RenderingParameters {
+    double threshold = 0.5;        ///< [-] in (0,1). Cells of a higher occupancy are occupied
+    bool show_free = false;        ///< Draw free cells too, translucent
+    uint32_t max_voxels = 250000;  ///< More cells are drawn as points (a voxel costs about 3 kB)
+
+    void validate() const;
+};
+
+/** Parameters that MRPT can load, save and stream; the field names are the INI keys.
+ * Loading keeps the present value of a missing key and throws std::invalid_argument, naming the
+ * key and changing nothing, on a bad value. */
+template <class Parameters>
+struct LoadableOptions : public Parameters, public mrpt::config::CLoadableOptions {
+    void loadFromConfigFile(const mrpt::config::CConfigFileBase& c, const std::string& s) override;
+    void saveToConfigFile(mrpt::config::CConfigFileBase& c, const std::string& s) const override;
+    void writeToStream(mrpt::serialization::CArchive& out) const;
+    void readFromStream(mrpt::serialization::CArchive& in);
+};
+
+using TInsertionOptions = LoadableOptions<InsertionParameters>;    ///< `<prefix>_insertOpts`
+using TLikelihoodOptions = LoadableOptions<LikelihoodParameters>;  ///< `<prefix>_likelihoodOpts`
+using TRenderingOptions = LoadableOptions<RenderingParameters>;    ///< `<prefix>_renderOpts`
+
+}  // namespace akimap

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <akimap/AkiMap.h>
+#include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/serialization/CArchive.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "mrpt_compat.h"
+
+namespace akimap {
+namespace {
+
+[[noreturn]] void corrupt(const std::string& what) {
+    throw std::runtime_error("corrupt AkiMap: " + what);
+}
+
+bool isPlane(const std::array<float, Block::kCells>& plane) {
+    return std::all_of(plane.begin(), plane.end(), [](float v) { return v >= 0 && std::isfinite(v); });
+}
+
+/** A path beside the wanted file, removed again unless it is renamed to it. */
+class FileBeside {
+   public:
+    explicit FileBeside(std::string file)
+        : file_(std::move(file)), beside_(file_ + ".tmp" + std::to_string(getpid())) {}
+    ~FileBeside() { std::remove(beside_.c_str()); }
+    FileBeside(const FileBeside&) = delete;
+    FileBeside& operator=(const FileBeside&) = delete;
+    [[nodiscard]] const std::string& path() const { return beside_; }
+    void rename() const {
+        if (std::rename(beside_.c_str(), file_.c_str()) != 0)
+            throw std::runtime_error(file_ + ": can't be written");
+    }
+
+   private:
+    std::string file_, beside_;
+};
+
+/** MRPT's messages carry a trace of the library's insides behind the first line. */
+std::string firstLine(const char* text) {
+    const std::string t(text);
+    return t.substr(0, t.find('\n'));
+}
+
+}  // namespace
+
+uint8_t AkiMap::serializeGetVersion() const { return 0; }
+
+void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
+    out << resolution() << genericMapParams;
+    insertionOptions.writeToStream(out);
+    likelihoodOptions.writeToStream(out);
+    renderingOptions.writeToStream(out);
+    out << scan_index_ << static_cast<uint64_t>(grid_.blockCount());
+    for (const auto& b : grid_.sortedBlocks()) {
+        const Block& block = *grid_.find(b);
+        out << b.x << b.y << b.z;
+        out.WriteBufferFixEndianness(block.alpha.data(), block.alpha.size());
+        out.WriteBufferFixEndianness(block.beta.data(), block.beta.size());
+    }
+}
+
+void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
+    if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    AkiMap loaded(in.ReadAs<double>());
+    in >> loaded.genericMapParams;
+    loaded.insertionOptions.readFromStream(in);
+    loaded.likelihoodOptions.readFromStream(in);
+    loaded.renderingOptions.readFromStream(in);
+    in >> loaded.scan_index_;
+    uint64_t previous = 0;
+    for (auto left = in.ReadAs<uint64_t>(); left > 0; --left) {
+        BlockGrid::BlockIndex b;
+        in >> b.x >> b.y >> b.z;
+        if (!BlockGrid::isAddressable(b)) corrupt("a block lies outside the grid");
+        if (!loaded.isEmpty() && packKey(b) <= previous) corrupt("its blocks are out of order");
+        previous = packKey(b);
+        auto block = std::make_unique<Block>();
+        in.ReadBufferFixEndianness(block->alpha.data(), block->alpha.size());
+        in.ReadBufferFixEndianness(block->beta.data(), block->beta.size());
+        if (!isPlane(block->alpha) || !isPlane(block->beta)) corrupt("a cell is negative or not finite");
+        if (block->isEmpty()) corrupt("a block without evidence");
+        loaded.grid_.adopt(b, std::move(block));
+    }
+    *this = std::move(loaded);
+}
+
+void AkiMap::saveToFile(const std::string& file) const {
+    const FileBeside beside(file);
+    try {
+        mrpt::io::CFileGZOutputStream f;
+        if (!f.open(beside.path(), 1)) throw std::runtime_error("can't be opened for writing");
+        auto archive = mrpt::serialization::archiveFrom(f);
+        archive << *this;
+        f.close();
+    } catch (const std::exception& e) {
+        throw std::runtime_error(file + ": can't be written: " + firstLine(e.what()));
+    }
+    beside.rename();
+}
+
+AkiMap::Ptr AkiMap::loadFromFile(const std::string& file) {
+    try {
+        mrpt::io::CFileGZInputStream f;
+        if (!f.open(file)) throw std::runtime_error("can't be opened");
+        auto archive = mrpt::serialization::archiveFrom(f);
+        const auto object = archive.ReadObject();
+        auto map = std::dynamic_pointer_cast<AkiMap>(object);
+        if (!map) throw std::runtime_error("holds no akimap::AkiMap");
+        char more = 0;
+        if (f.Read(&more, 1) != 0) throw std::runtime_error("has data behind the map");
+        return map;
+    } catch (const std::exception& e) {
+        throw std::runtime_error(file + ": not a whole map: " + firstLine(e.what()));
+    }
+}
+
+void AkiMap::saveMetricMapRepresentationToFile(const std::string& prefix) const {
+    saveToFile(prefix + ".akimap");
+    SceneObject scene;
+    auto objects = mrpt::opengl::CSetOfObjects::Create();
+    getVisualizationInto(*objects);
+    scene.insert(objects);
+    const FileBeside beside(prefix + "_3D.3Dscene");
+    if (!scene.saveToFile(beside.path()))
+        throw std::runtime_error(prefix + "_3D.3Dscene: can't be written");
+    beside.rename();
+}
+
+}  // namespace akimap

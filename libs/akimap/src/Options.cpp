@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <akimap/Options.h>
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/typemeta/TEnumType.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "fields.h"
+
+MRPT_ENUM_TYPE_BEGIN(akimap::Bandwidth)
+MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, adaptive);
+MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, covariance);
+MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, isotropic);
+MRPT_ENUM_TYPE_END()
+MRPT_ENUM_TYPE_BEGIN(akimap::SearchRegion)
+MRPT_FILL_ENUM_MEMBER(akimap::SearchRegion, ball);
+MRPT_FILL_ENUM_MEMBER(akimap::SearchRegion, box);
+MRPT_ENUM_TYPE_END()
+MRPT_ENUM_TYPE_BEGIN(akimap::CovarianceCenter)
+MRPT_FILL_ENUM_MEMBER(akimap::CovarianceCenter, sample);
+MRPT_FILL_ENUM_MEMBER(akimap::CovarianceCenter, mean);
+MRPT_ENUM_TYPE_END()
+
+namespace akimap {
+namespace {
+
+[[noreturn]] void reject(const std::string& name, const std::string& value, const std::string& want) {
+    throw std::invalid_argument(name + " = " + value + ": must be " + want);
+}
+
+void parse(const std::string& name, const std::string& text, double& value) {
+    char* end = nullptr;
+    const double v = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') reject(name, "'" + text + "'", "a number");
+    value = v;
+}
+template <class Unsigned>
+void parseUnsigned(const std::string& name, const std::string& text, Unsigned& value) {
+    char* end = nullptr;
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    const unsigned long long v = std::strtoull(text.c_str(), &end, 10);
+    if (!digits || text.size() > 19 || v > std::numeric_limits<Unsigned>::max())
+        reject(name, "'" + text + "'", "a whole number that is not too large");
+    value = static_cast<Unsigned>(v);
+}
+void parse(const std::string& name, const std::string& text, uint64_t& value) {
+    parseUnsigned(name, text, value);
+}
+void parse(const std::string& name, const std::string& text, uint32_t& value) {
+    parseUnsigned(name, text, value);
+}
+void parse(const std::string& name, const std::string& text, bool& value) {
+    if (text != "true" && text != "false" && text != "1" && text != "0")
+        reject(name, "'" + text + "'", "true or false");
+    value = text == "true" || text == "1";
+}
+template <class Enum>
+std::enable_if_t<std::is_enum_v<Enum>> parse(const std::string& name, const std::string& text,
+                                             Enum& value) {
+    std::string names;
+    for (int i = 0; i <= 255; i++) {
+        std::string candidate;
+        try {
+            candidate = mrpt::typemeta::TEnumType<Enum>::value2name(static_cast<Enum>(i));
+        } catch (const std::exception&) {
+            break;  // past the last
+        }
+        if (candidate == text) return void(value = static_cast<Enum>(i));
+        names += (i ? " | " : "") + candidate;
+    }
+    reject(name, "'" + text + "'", names);
+}
+
+/** The value without a comment behind it. */
+std::string firstWord(const std::string& text) {
+    const std::string line = text.substr(0, text.find("//"));
+    const auto begin = line.find_first_not_of(" \t\r");
+    if (begin == std::string::npos) return "";
+    auto end = line.find_first_of(";#", begin);
+    if (end == std::string::npos) end = line.size();
+    while (end > begin && std::isspace(static_cast<unsigned char>(line[end - 1]))) --end;
+    return line.substr(begin, end - begin);
+}
+
+struct Loader {
+    const mrpt::config::CConfigFileBase& config;
+    const std::string& section;
+    template <class T>
+    void operator()(const char* name, T& value, const char*) const {
+        if (!config.keyExists(section, name)) return;
+        parse(name, firstWord(config.read_string(section, name, "")), value);
+    }
+};
+struct Saver {
+    mrpt::config::CConfigFileBase& config;
+    const std::string& section;
+    template <class T>
+    void operator()(const char* name, const T& value, const char* comment) const {
+        if constexpr (std::is_same_v<T, double>)
+            put(name, shortest(value), comment);
+        else if constexpr (std::is_same_v<T, bool>)
+            put(name, value ? "true" : "false", comment);
+        else if constexpr (std::is_enum_v<T>)
+            put(name, mrpt::typemeta::TEnumType<T>::value2name(value), comment);
+        else
+            put(name, std::to_string(value), comment);
+    }
+
+   private:
+    void put(const char* name, const std::string& value, const char* comment) const {
+        config.write(section, name, value, 20, 10, comment);
+    }
+    /** The fewest digits that read back the same. */
+    static std::string shortest(double v) {
+        char text[32];
+        for (int digits = 1; digits <= 17; digits++) {
+            std::snprintf(text, sizeof text, "%.*g", digits, v);
+            if (std::strtod(text, nullptr) == v) break;
+        }
+        return text;
+    }
+};
+struct StreamWriter {
+    mrpt::serialization::CArchive& out;
+    template <class T>
+    void operator()(const char*, const T& value, const char*) const {
+        if constexpr (std::is_enum_v<T>)
+            out << static_cast<uint8_t>(value);
+        else
+            out << value;
+    }
+};
+struct StreamReader {
+    mrpt::serialization::CArchive& in;
+    template <class T>
+    void operator()(const char*, T& value, const char*) const {
+        if constexpr (std::is_enum_v<T>)
+            value = static_cast<T>(in.ReadAs<uint8_t>());
+        else
+            in >> value;
+    }
+};
+
+void require(bool ok, const char* name, double value, const char* want) {
+    if (ok) return;
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    reject(name, text, want);
+}
+void requirePositive(const char* name, double v) {
+    require(std::isfinite(v) && v > 0, name, v, "finite and > 0");
+}
+void requireNonNegative(const char* name, double v) {
+    require(std::isfinite(v) && v >= 0, name, v, "finite and >= 0");
+}
+void requireProbability(const char* name, double v) {
+    require(v > 0 && v < 1, name, v, "between 0 and 1");
+}
+
+}  // namespace
+
+void InsertionParameters::validate() const {
+    requireNonNegative("min_range", min_range);
+    requirePositive("max_range", max_range);
+    require(max_range > min_range, "max_range", max_range, "greater than min_range");
+    requirePositive("sampling_distance", sampling_distance);
+    require(max_range / sampling_distance < 1e6, "sampling_distance", sampling_distance,
+            "at least a millionth of max_range");
+    requireNonNegative("search_range_origin", search_range_origin);
+    requirePositive("search_range_max", search_range_max);
+    requirePositive("covariance_floor", covariance_floor);
+    requirePositive("isotropic_length", isotropic_length);
+    requireNonNegative("scale_min_length", scale_min_length);
+    requirePositive("scale_max", scale_max);
+    requirePositive("prior_alpha", prior_alpha);
+    requirePositive("prior_beta", prior_beta);
+    require(bandwidth <= Bandwidth::isotropic, "bandwidth", static_cast<double>(bandwidth), "0 to 2");
+    require(search_region <= SearchRegion::box, "search_region", static_cast<double>(search_region), "0 or 1");
+    require(covariance_center <= CovarianceCenter::mean, "covariance_center",
+            static_cast<double>(covariance_center), "0 or 1");
+}
+
+void LikelihoodParameters::validate() const {
+    require(decimation >= 1, "decimation", decimation, ">= 1");
+    requireProbability("p_unknown", p_unknown);
+    requireProbability("p_outlier", p_outlier);
+}
+
+void RenderingParameters::validate() const { requireProbability("threshold", threshold); }
+
+template <class Parameters>
+void LoadableOptions<Parameters>::loadFromConfigFile(const mrpt::config::CConfigFileBase& c,
+                                                     const std::string& s) {
+    Parameters loaded = *this;
+    visitFields(loaded, Loader{c, s});
+    loaded.validate();
+    static_cast<Parameters&>(*this) = loaded;
+}
+template <class Parameters>
+void LoadableOptions<Parameters>::saveToConfigFile(mrpt::config::CConfigFileBase& c,
+                                                   const std::string& s) const {
+    visitFields(*this, Saver{c, s});
+}
+template <class Parameters>
+void LoadableOptions<Parameters>::writeToStream(mrpt::serialization::CArchive& out) const {
+    visitFields(*this, StreamWriter{out});
+}
+template <class Parameters>
+void LoadableOptions<Parameters>::readFromStream(mrpt::serialization::CArchive& in) {
+    Parameters loaded = *this;
+    visitFields(loaded, StreamReader{in});
+    loaded.validate();
+    static_cast<Parameters&>(*this) = loaded;
+}
+
+template struct LoadableOptions<InsertionParameters>;
+template struct LoadableOptions<LikelihoodParameters>;
+template struct LoadableOptions<RenderingParameters>;
+
+}  // namespace akimap

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <vector>
+
+#include "NeighborGrid.h"
+#include "sampling.h"
+
+namespace akimap {
+
+/** A symmetric 3x3 matrix. */
+struct Symmetric3 {
+    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+};
+
+/** Buffers of the bandwidth stage, kept between scans. */
+struct NeighborScratch {
+    NeighborGrid occupied, free;
+};
+
+/** Room 3: the bandwidth matrix H [m^2] of each sample (paper, Sec. IV-C), by the first stage
+ * (covariance of the neighbours of the same label) and the second (its scale, Eq. 7).
+ * The same for any number of threads; runs in the caller's TBB arena. */
+void bandwidths(const Samples& samples, const InsertionParameters& parameters, double resolution,
+                NeighborScratch& scratch, std::vector<Symmetric3>& H);
+
+/** Radius (ball) or half side (box) [m] of the region in which the neighbours of a sample at this
+ * distance [m] from its ray origin are sought: linear, from search_range_origin at the sensor to
+ * search_range_max at max_range. */
+[[nodiscard]] float searchRange(const InsertionParameters& p, double resolution, float distance);
+
+}  // namespace akimap

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "rays.h"
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRotatingScan.h>
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include "mrpt_compat.h"
+
+namespace akimap {
+namespace {
+
+using namespace mrpt::obs;
+using mrpt::poses::CPose3D;
+
+/** Appends rays from one sensor pose to points in the sensor's frame. */
+class RayMaker {
+   public:
+    RayMaker(const CPose3D& sensor_in_map, std::vector<Ray>& rays)
+        : pose_(sensor_in_map), origin_{pose_.x(), pose_.y(), pose_.z()}, rays_(rays) {}
+    void add(double x, double y, double z) {
+        Ray r{origin_, {}};
+        pose_.composePoint(x, y, z, r.end[0], r.end[1], r.end[2]);
+        rays_.push_back(r);
+    }
+
+   private:
+    CPose3D pose_;
+    std::array<double, 3> origin_;
+    std::vector<Ray>& rays_;
+};
+
+/** Depth images are preferred to points3D, which other maps are known to shrink in place. */
+void addDepthImage(const CObservation3DRangeScan& o, RayMaker& rays) {
+    const auto& image = o.rangeImage;
+    const auto& lut = o.get_unproj_lut();
+    const auto n = static_cast<std::size_t>(image.size());
+    if (lut.Kxs.size() != n)
+        throw std::runtime_error("CObservation3DRangeScan '" + o.sensorLabel + "': range image of " +
+                                 std::to_string(n) + " pixels, camera model of " +
+                                 std::to_string(lut.Kxs.size()));
+    const uint16_t* range = image.data();
+    for (std::size_t i = 0; i < n; i++) {
+        if (range[i] == 0) continue;
+        const double d = range[i] * static_cast<double>(o.rangeUnits);
+        rays.add(d * lut.Kxs[i], d * lut.Kys[i], d * lut.Kzs[i]);
+    }
+}
+
+template <class Floats>
+void addPoints(const Floats& x, const Floats& y, const Floats& z, RayMaker& rays) {
+    for (std::size_t i = 0; i < x.size(); i++) rays.add(x[i], y[i], z[i]);
+}
+
+void addScan(const CObservation3DRangeScan& o, RayMaker& rays) {
+    if (o.hasRangeImage && o.rangeImage.size() > 0)
+        addDepthImage(o, rays);
+    else if (o.hasPoints3D)
+        addPoints(o.points3D_x, o.points3D_y, o.points3D_z, rays);
+}
+
+void addScan(const CObservationPointCloud& o, RayMaker& rays) {
+    if (o.pointcloud)
+        addPoints(o.pointcloud->getPointsBufferRef_x(), o.pointcloud->getPointsBufferRef_y(),
+                  o.pointcloud->getPointsBufferRef_z(), rays);
+}
+
+void addScan(const CObservation2DRangeScan& o, RayMaker& rays) {
+    for (std::size_t i = 0; i < o.getScanSize(); i++) {
+        if (!o.getScanRangeValidity(i)) continue;
+        const double range = o.getScanRange(i), angle = o.getScanAngle(i);
+        rays.add(range * std::cos(angle), range * std::sin(angle), 0);
+    }
+}
+
+#if AKIMAP_HAS_ROTATING_SCAN
+void addScan(const CObservationRotatingScan& o, RayMaker& rays) {
+    for (int r = 0; r < o.organizedPoints.rows(); r++)
+        for (int c = 0; c < o.organizedPoints.cols(); c++) {
+            if (o.rangeImage(r, c) == 0) continue;
+            const auto& p = o.organizedPoints(r, c);
+            rays.add(p.x, p.y, p.z);
+        }
+}
+#endif
+
+/** Receives decoded Velodyne points; each packet has a time and so a pose of its own. */
+class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
+   public:
+    PacketRays(const CPose3D& sensor_on_robot, const AkiMap::RobotPoseAt& robot_pose_at,
+               std::vector<Ray>& rays)
+        : sensor_on_robot_(sensor_on_robot), robot_pose_at_(robot_pose_at), rays_(rays) {}
+    void add_point(float x, float y, float z, uint8_t /*intensity*/,
+                   const mrpt::system::TTimeStamp& time, const float /*azimuth*/,
+                   uint16_t /*laser*/) override {
+        if (!have_time_ || time != time_) placeAt(time);
+        if (maker_) maker_->add(x, y, z);
+    }
+
+   private:
+    void placeAt(const mrpt::system::TTimeStamp& time) {
+        have_time_ = true, time_ = time;
+        const auto robot = robot_pose_at_(time);
+        if (robot)
+            maker_.emplace(*robot + sensor_on_robot_, rays_);
+        else
+            maker_.reset();
+    }
+    const CPose3D& sensor_on_robot_;
+    const AkiMap::RobotPoseAt& robot_pose_at_;
+    std::vector<Ray>& rays_;
+    bool have_time_ = false;
+    mrpt::system::TTimeStamp time_;
+    std::optional<RayMaker> maker_;
+};
+
+void addVelodyne(const CObservationVelodyneScan& o, const AkiMap::RobotPoseAt& robot_pose_at,
+                 std::vector<Ray>& rays) {
+    PacketRays receiver(o.sensorPose, robot_pose_at, rays);
+    const auto& cloud = o.point_cloud;
+    if (cloud.x.empty()) {
+        // This overload does not touch the observation, though it is not declared const.
+        if (!o.scan_packets.empty())
+            const_cast<CObservationVelodyneScan&>(o).generatePointCloud(receiver);
+        return;
+    }
+    const bool timed = cloud.timestamp.size() == cloud.x.size();
+    for (std::size_t i = 0; i < cloud.x.size(); i++)
+        receiver.add_point(cloud.x[i], cloud.y[i], cloud.z[i], 0,
+                           timed ? cloud.timestamp[i] : o.timestamp, 0, 0);
+}
+
+/** If obs is a T: loads it, adds its rays from the pose at its time, and returns true. */
+template <class T>
+bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at, std::vector<Ray>& rays) {
+    const auto* o = dynamic_cast<const T*>(&obs);
+    if (!o) return false;
+    o->load();
+    if (const auto robot = robot_pose_at(o->timestamp)) {
+        RayMaker maker(*robot + o->sensorPose, rays);
+        addScan(*o, maker);
+    }
+    return true;
+}
+
+template <class... T>
+bool isAny(const CObservation& obs) {
+    return (... || (dynamic_cast<const T*>(&obs) != nullptr));
+}
+
+}  // namespace
+
+bool givesRays(const CObservation& obs) {
+    return isAny<CObservation3DRangeScan, CObservationVelodyneScan, CObservationPointCloud,
+#if AKIMAP_HAS_ROTATING_SCAN
+                 CObservationRotatingScan,
+#endif
+                 CObservation2DRangeScan>(obs);
+}
+
+std::optional<std::vector<Ray>> raysOf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at) {
+    std::vector<Ray> rays;
+    if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&obs)) {
+        velodyne->load();
+        addVelodyne(*velodyne, robot_pose_at, rays);
+        return rays;
+    }
+    if (addIf<CObservation3DRangeScan>(obs, robot_pose_at, rays) ||
+        addIf<CObservationPointCloud>(obs, robot_pose_at, rays) ||
+#if AKIMAP_HAS_ROTATING_SCAN
+        addIf<CObservationRotatingScan>(obs, robot_pose_at, rays) ||
+#endif
+        addIf<CObservation2DRangeScan>(obs, robot_pose_at, rays))
+        return rays;
+    return std::nullopt;
+}
+
+}  // namespace akimap

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <akimap/AkiMap.h>
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/core/initializer.h>
+#include <mrpt/maps/TMetricMapTypesRegistry.h>
+#include <mrpt/rtti/CObject.h>
+
+#include "mrpt_compat.h"
+
+MAP_DEFINITION_REGISTER("akimap::AkiMap,akimap", akimap::AkiMap)
+IMPLEMENTS_SERIALIZABLE(AkiMap, mrpt::maps::CMetricMap, akimap)
+
+namespace akimap {
+
+AkiMap::TMapDefinition::TMapDefinition() = default;
+
+void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
+                                                             const std::string& prefix) {
+    MRPT_LOAD_CONFIG_VAR(resolution, double, source, prefix + "_creationOpts");
+    insertionOpts.loadFromConfigFile(source, prefix + "_insertOpts");
+    insertionOpts.loadFromConfigFile(source, prefix + "_insertionOpts");
+    likelihoodOpts.loadFromConfigFile(source, prefix + "_likelihoodOpts");
+    renderingOpts.loadFromConfigFile(source, prefix + "_renderOpts");
+    renderingOpts.loadFromConfigFile(source, prefix + "_renderingOpts");
+}
+
+void AkiMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const {
+    LOADABLEOPTS_DUMP_VAR(resolution, double);
+    insertionOpts.dumpToTextStream(out);
+    likelihoodOpts.dumpToTextStream(out);
+    renderingOpts.dumpToTextStream(out);
+}
+
+AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& def) {
+    const auto& d = dynamic_cast<const AkiMap::TMapDefinition&>(def);
+    auto map = AKIMAP_NEW_MAP(d.resolution);
+    map->insertionOptions = d.insertionOpts;
+    map->likelihoodOptions = d.likelihoodOpts;
+    map->renderingOptions = d.renderingOpts;
+    return map;
+}
+
+void registerClasses() {
+    static const bool once = [] {
+        mrpt::rtti::registerClass(CLASS_ID(AkiMap));
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
+}  // namespace akimap
+
+MRPT_INITIALIZER(registerAkiMap) { akimap::registerClasses(); }

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace akimap {
+namespace {
+
+using Point = std::array<double, 3>;
+
+/** The finalizer of SplitMix64: one well-mixed step. */
+uint64_t mix(uint64_t v) {
+    v += 0x9e3779b97f4a7c15u;
+    v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9u;
+    v = (v ^ (v >> 27)) * 0x94d049bb133111ebu;
+    return v ^ (v >> 31);
+}
+/** Uniform in [0, 1), a function of its place alone: no state to copy or to share. */
+double uniform(uint64_t ray_key, uint64_t stretch) {
+    return static_cast<double>(mix(ray_key + stretch) >> 11) * 0x1p-53;
+}
+
+double lengthOf(const Ray& r) {
+    return std::hypot(r.end[0] - r.origin[0], r.end[1] - r.origin[1], r.end[2] - r.origin[2]);
+}
+bool isFinite(const Point& p) {
+    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+Point along(const Ray& r, double fraction) {
+    Point p;
+    for (std::size_t i = 0; i < 3; i++) p[i] = r.origin[i] + fraction * (r.end[i] - r.origin[i]);
+    return p;
+}
+
+/** The range rule. Poses are applied in floating point: what equals a limit must stay equal. */
+bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
+              InsertionStats& stats) {
+    constexpr double kRounding = 1e-6;
+    if (!isFinite(r.origin) || !isFinite(r.end)) return ++stats.dropped_nonfinite, false;
+    const double length = lengthOf(r);
+    if (length == 0) return ++stats.dropped_zero, false;
+    if (length > p.max_range * (1 + kRounding) || length < p.min_range * (1 - kRounding))
+        return ++stats.dropped_range, false;
+    if (!grid.covers(r.origin[0], r.origin[1], r.origin[2]) ||
+        !grid.covers(r.end[0], r.end[1], r.end[2]))
+        return ++stats.dropped_grid, false;
+    return true;
+}
+
+/** Appends samples, at most one a cell. */
+class Sampler {
+   public:
+    Sampler(const BlockGrid& grid, KeyTable& taken, Samples& samples)
+        : grid_(grid), taken_(taken), samples_(samples) {
+        const CellIndex& a = samples.anchor;
+        corner_ = {a.x * grid.resolution(), a.y * grid.resolution(), a.z * grid.resolution()};
+    }
+    bool add(const Point& p, double distance) {
+        const CellIndex cell = grid_.cellAt(p[0], p[1], p[2]);
+        if (!taken_.insert(keyInScan(cell), 0).second) return false;
+        samples_.x.push_back(static_cast<float>(p[0] - corner_[0]));
+        samples_.y.push_back(static_cast<float>(p[1] - corner_[1]));
+        samples_.z.push_back(static_cast<float>(p[2] - corner_[2]));
+        samples_.distance.push_back(static_cast<float>(distance));
+        return true;
+    }
+
+   private:
+    /** Unique within 2^20 cells of the anchor on each axis. */
+    [[nodiscard]] uint64_t keyInScan(const CellIndex& c) const {
+        const CellIndex& a = samples_.anchor;
+        return packKey({c.x - a.x, c.y - a.y, c.z - a.z});
+    }
+
+    const BlockGrid& grid_;
+    KeyTable& taken_;
+    Samples& samples_;
+    Point corner_{};
+};
+
+/** A ray whose hit became a sample, and its number among the usable ones. */
+struct KeptRay {
+    const Ray* ray;
+    uint64_t number;
+};
+
+std::vector<KeptRay> addHits(const std::vector<Ray>& rays, const InsertionParameters& p,
+                             const BlockGrid& grid, KeyTable& taken, Samples& samples,
+                             InsertionStats& stats) {
+    std::vector<KeptRay> kept;
+    std::optional<Sampler> sampler;
+    uint64_t number = 0;
+    for (const Ray& r : rays) {
+        if (!isUsable(r, p, grid, stats)) continue;
+        if (!sampler) {  // the first usable ray places the local frame
+            const CellIndex b = BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
+            samples.anchor = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
+            sampler.emplace(grid, taken, samples);
+        }
+        if (sampler->add(r.end, lengthOf(r))) kept.push_back({&r, number});
+        ++number;
+    }
+    stats.points += number;
+    return kept;
+}
+
+void addFreeAlong(const KeptRay& kept, uint64_t scan_key, double stretch, Sampler& sampler) {
+    const double length = lengthOf(*kept.ray);
+    const uint64_t ray_key = mix(scan_key + kept.number);
+    sampler.add(kept.ray->origin, 0);
+    for (uint64_t k = 0; static_cast<double>(k) * stretch < length; k++) {
+        const double t = (static_cast<double>(k) + uniform(ray_key, k)) * stretch;
+        if (t < length) sampler.add(along(*kept.ray, t / length), t);
+    }
+}
+
+}  // namespace
+
+void Samples::clear() {
+    for (auto* v : {&x, &y, &z, &distance}) v->clear();
+    occupied = 0;
+}
+
+void takeSamples(const std::vector<Ray>& rays, const InsertionParameters& parameters,
+                 const BlockGrid& grid, uint64_t scan_index, KeyTable& taken, Samples& samples,
+                 InsertionStats& stats) {
+    samples.clear();
+    taken.clear();
+    const auto kept = addHits(rays, parameters, grid, taken, samples, stats);
+    samples.occupied = samples.size();
+
+    Sampler sampler(grid, taken, samples);
+    const uint64_t scan_key = mix(mix(parameters.seed) + scan_index);
+    for (const KeptRay& k : kept) addFreeAlong(k, scan_key, parameters.sampling_distance, sampler);
+
+    stats.rays += rays.size();
+    stats.samples_occupied += samples.occupied;
+    stats.samples_free += samples.size() - samples.occupied;
+}
+
+}  // namespace akimap

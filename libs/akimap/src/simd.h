@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <cstdint>
+
+// Rows of eight floats by the compiler's vector extensions: AVX registers where the function is
+// compiled for them, pairs of SSE registers elsewhere.
+
+/** Put before a function whose loops run on rows: it is compiled for plain x86-64 and for AVX2,
+ * and the machine's best version is taken when the library is loaded. */
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define AKIMAP_MULTIVERSION [[gnu::target_clones("arch=haswell", "default")]]
+#else
+#define AKIMAP_MULTIVERSION
+#endif
+/** The same for lambdas, between their parameters and their body. */
+#define AKIMAP_INLINE_LAMBDA __attribute__((always_inline))
+/** Put before every helper such a function calls: it must be compiled with its caller. */
+#define AKIMAP_INLINE [[gnu::always_inline]] inline
+
+namespace akimap {
+
+using Row = float __attribute__((vector_size(32)));
+using RowMask = int32_t __attribute__((vector_size(32)));
+constexpr Row kLanes = {0, 1, 2, 3, 4, 5, 6, 7};
+constexpr RowMask kLaneIndex = {0, 1, 2, 3, 4, 5, 6, 7};
+
+AKIMAP_INLINE Row loadRow(const float* p) {
+    using Unaligned = float __attribute__((vector_size(32), aligned(4)));
+    return *reinterpret_cast<const Unaligned*>(p);
+}
+AKIMAP_INLINE void storeRow(float* p, Row v) {
+    using Unaligned = float __attribute__((vector_size(32), aligned(4)));
+    *reinterpret_cast<Unaligned*>(p) = v;
+}
+/** v where the mask is set, 0 elsewhere. */
+AKIMAP_INLINE Row keep(RowMask m, Row v) { return (Row)(m & (RowMask)v); }
+AKIMAP_INLINE float sumOf(Row v) {
+    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+}  // namespace akimap
