@@ -14,7 +14,7 @@
 
 /** A folder of its own for one test, removed with everything in it. */
 class TemporaryFolder {
-   public:
+ public:
     TemporaryFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "akimap-test-XXXXXX").string();
         if (!mkdtemp(name.data())) throw std::runtime_error("can't make " + name);
@@ -28,9 +28,11 @@ class TemporaryFolder {
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
+    [[nodiscard]] std::string file(const std::string& name) const {
+        return (path_ / name).string();
+    }
 
-   private:
+ private:
     std::filesystem::path path_;
 };
 
@@ -47,7 +49,7 @@ inline void writeText(const std::string& file, const std::string& text) {
     if (!out) throw std::runtime_error("can't write " + file);
 }
 
-/** What a program left behind. */
+/** What a program left behind. In a TEST_F say auto or ::Run: gtest's fixtures have a Run too. */
 struct Run {
     int exit;  ///< its exit status; 128 + the signal's number if a signal ended it
     std::string out, err;

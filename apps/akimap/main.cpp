@@ -2,23 +2,19 @@
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
 
+#include <algorithm>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "commands.h"
+#include "errors.h"
 
 namespace {
 
-std::string oneLine(std::string text) {
-    // MRPT's exceptions carry a backtrace behind their first line.
-    if (const auto end = text.find("\n== BACKTRACE"); end != std::string::npos) text.resize(end);
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    for (char& c : text)
-        if (c == '\n') c = ' ';
-    return text;
-}
-
 int run(int argc, char** argv) {
-    CLI::App app{"Dense and sharp 3D occupancy maps by adaptive kernel inference (AKIMap).", "akimap"};
+    CLI::App app{"Dense and sharp 3D occupancy maps by adaptive kernel inference (AKIMap).",
+                 "akimap"};
     app.set_version_flag("--version", AKIMAP_VERSION);
     app.require_subcommand(1);
     app.get_formatter()->column_width(36);
@@ -30,12 +26,16 @@ int run(int argc, char** argv) {
     akimap::app::addQuery(app);
     akimap::app::addEval(app);
     akimap::app::addDefaultConfig(app);
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    for (std::string& a : arguments)
+        if (a.rfind("-.", 0) == 0) a.insert(1, "0");  // CLI11 takes -.5 for an option
+    std::reverse(arguments.begin(), arguments.end());
     try {
-        app.parse(argc, argv);
+        app.parse(arguments);
         return 0;
     } catch (const CLI::ParseError& e) {
         if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-        std::cerr << "akimap: " << oneLine(e.what()) << "\n";
+        std::cerr << "akimap: " << akimap::app::reasonOf(e.what()) << "\n";
         return 2;
     }
 }
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
         akimap::registerClasses();
         return run(argc, argv);
     } catch (const std::exception& e) {
-        std::cerr << "akimap: " << oneLine(e.what()) << "\n";
+        std::cerr << "akimap: " << akimap::app::reasonOf(e.what()) << "\n";
         return 1;
     }
 }

@@ -43,9 +43,8 @@ Scores score(std::vector<ScoredCell> cells) {
         squares += error * error;
         counts[c.occupancy > 0.5][c.occupied]++;
     }
-    std::sort(cells.begin(), cells.end(), [](const ScoredCell& a, const ScoredCell& b) {
-        return a.occupancy < b.occupancy;
-    });
+    std::sort(cells.begin(), cells.end(),
+              [](const ScoredCell& a, const ScoredCell& b) { return a.occupancy < b.occupancy; });
     return {cells.size(), areaUnderRoc(cells), ratio(squares, static_cast<double>(cells.size())),
             classScores(counts[1][1], counts[1][0], counts[0][1]),
             classScores(counts[0][0], counts[0][1], counts[1][0])};

@@ -12,13 +12,13 @@ namespace akimap::app {
 
 namespace {
 
-constexpr int kDepth = 16;               // of every OctoMap tree
+constexpr int kDepth = 16;                    // of every OctoMap tree
 constexpr int32_t kHalf = 1 << (kDepth - 1);  // the cells of an axis start at -kHalf
 
 /** Reads the nodes of a .bt: two bytes for each inner node, two bits for each of its children
  * (00 unknown, 01 free, 10 occupied, 11 inner), then the inner children, depth first. */
 class NodeReader {
-   public:
+ public:
     NodeReader(std::istream& in, std::vector<Truth::Leaf>& leaves) : in_(in), leaves_(leaves) {}
 
     /** \return whether the data was whole and in order */
@@ -40,7 +40,7 @@ class NodeReader {
     }
     [[nodiscard]] uint64_t nodes() const { return nodes_; }
 
-   private:
+ private:
     static std::array<int32_t, 3> corner(const std::array<int32_t, 3>& first, int32_t half, int i) {
         return {first[0] + half * (i & 1), first[1] + half * (i >> 1 & 1),
                 first[2] + half * (i >> 2)};
@@ -87,13 +87,15 @@ Box parseBox(const std::string& text) {
     }
     const auto commas = std::count(text.begin(), text.end(), ',');
     if (numbers.size() != 6 || commas != 5)
-        throw std::runtime_error("--box '" + text + "' is not six finite numbers x0,y0,z0,x1,y1,z1");
+        throw std::runtime_error("--box '" + text +
+                                 "' is not six finite numbers x0,y0,z0,x1,y1,z1");
     Box box;
     for (std::size_t i = 0; i < 3; i++) {
         box.min[i] = numbers[i];
         box.max[i] = numbers[i + 3];
         if (!(box.min[i] < box.max[i]))
-            throw std::runtime_error("--box '" + text + "' is empty: each of x0,y0,z0 must be below x1,y1,z1");
+            throw std::runtime_error("--box '" + text +
+                                     "' is empty: each of x0,y0,z0 must be below x1,y1,z1");
     }
     return box;
 }
@@ -123,7 +125,8 @@ double Truth::countCells(const Box& box) const {
 Truth readTruth(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in || in.peek() == std::ifstream::traits_type::eof())
-        throw std::runtime_error("cannot read the truth '" + file + "': missing, empty or not a file");
+        throw std::runtime_error("cannot read the truth '" + file +
+                                 "': missing, empty or not a file");
     const Header header = readHeader(in);
     if (header.id != "OcTree")
         throw std::runtime_error("the truth '" + file + "' is not an OctoMap binary tree (.bt)");
@@ -133,8 +136,8 @@ Truth readTruth(const std::string& file) {
     Truth truth;
     truth.resolution = header.resolution;
     NodeReader reader(in, truth.leaves);
-    if (header.size > 0 && (!reader.readInner({-kHalf, -kHalf, -kHalf}, 2 * kHalf) ||
-                            reader.nodes() != header.size))
+    if (header.size > 0 &&
+        (!reader.readInner({-kHalf, -kHalf, -kHalf}, 2 * kHalf) || reader.nodes() != header.size))
         throw std::runtime_error("the truth '" + file + "' is damaged or cut short");
     return truth;
 }

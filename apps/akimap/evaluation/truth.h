@@ -43,7 +43,8 @@ struct Truth {
     template <class Visitor>
     void forEachCell(const Box& box, Visitor&& visit) const {
         for (const Leaf& leaf : leaves) {
-            const Range x = inside(leaf, box, 0), y = inside(leaf, box, 1), z = inside(leaf, box, 2);
+            const Range x = inside(leaf, box, 0), y = inside(leaf, box, 1),
+                        z = inside(leaf, box, 2);
             for (int32_t k = z.begin; k < z.end; k++)
                 for (int32_t j = y.begin; j < y.end; j++)
                     for (int32_t i = x.begin; i < x.end; i++)
@@ -51,7 +52,7 @@ struct Truth {
         }
     }
 
-   private:
+ private:
     struct Range {
         int32_t begin, end;
     };

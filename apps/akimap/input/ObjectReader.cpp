@@ -10,6 +10,7 @@
 #include <fstream>
 #include <vector>
 
+#include "errors.h"
 #include "input/files.h"
 
 namespace akimap::app {
@@ -19,7 +20,7 @@ using mrpt::serialization::CSerializable;
 /** What CArchive needs of a stream. Unlike MRPT's streams it refuses a read that gets fewer bytes
  * than asked for, where CArchive would go on with half-filled numbers and vectors. */
 class ObjectReader::Stream {
-   public:
+ public:
     explicit Stream(const std::string& file) {
         if (!gz_.open(file)) throw std::runtime_error(file + ": can't be read");
     }
@@ -43,19 +44,15 @@ class ObjectReader::Stream {
     bool at_end = false, damaged = false;
     std::vector<uint32_t> object_starts;  ///< low 32 bits of the positions between objects
 
-   private:
+ private:
     mrpt::io::CFileGZInputStream gz_;
 };
 
 namespace {
 
-/** MRPT's messages: only what went wrong, without call stacks and nested wrappings. */
-std::string innermost(std::string message) {
-    const std::string wrapping = "Original exception:\n";
-    if (const auto at = message.rfind(wrapping); at != std::string::npos)
-        message.erase(0, at + wrapping.size());
-    message.resize(std::min(message.find('\n'), message.size()));
-    return message;
+std::string whyUnreadable(const std::string& what) {
+    const std::string reason = reasonOf(what);  // MRPT's guesses about it follow in parentheses
+    return "no MRPT data, or damaged: " + reason.substr(0, reason.find(" ("));
 }
 
 }  // namespace
@@ -86,7 +83,7 @@ CSerializable::Ptr ObjectReader::next() {
         refuse("it claims an impossible size");
     } catch (const std::exception& e) {
         if (stream_->damaged) refuse("the compressed data are damaged");
-        if (!stream_->at_end) refuse(innermost(e.what()));
+        if (!stream_->at_end) refuse(whyUnreadable(e.what()));
         if (stream_->position != start)
             throw CutFile(file_ + ": the file ends inside object " + std::to_string(objects_ + 1) +
                           ", at byte " + std::to_string(stream_->position));
@@ -96,21 +93,26 @@ CSerializable::Ptr ObjectReader::next() {
 }
 
 /** zlib reads a cut gz file silently up to where it is cut, and MRPT doesn't ask it. A whole one
- * ends with the unpacked size, mod 2^32, of its last member: that of the file, or of what was
- * appended behind an object. */
+ * ends with the checksum and the unpacked size, mod 2^32, of its last member: that of the file,
+ * or of what was appended behind an object, maybe nothing. */
 void ObjectReader::checkGzEnd() const {
     std::ifstream in(file_, std::ios::binary);
     std::array<char, 2> magic{};
     in.read(magic.data(), 2);
     if (!in || magic != std::array<char, 2>{'\x1f', '\x8b'}) return;
-    std::array<unsigned char, 4> last{};
-    in.seekg(-4, std::ios::end);
-    in.read(reinterpret_cast<char*>(last.data()), 4);
-    const uint32_t size = uint32_t{last[0]} | uint32_t{last[1]} << 8 | uint32_t{last[2]} << 16 |
-                          uint32_t{last[3]} << 24;
-    const auto start = static_cast<uint32_t>(stream_->position) - size;
+    std::array<unsigned char, 8> last{};
+    in.seekg(-8, std::ios::end);
+    in.read(reinterpret_cast<char*>(last.data()), 8);
+    const auto number = [&](std::size_t i) {
+        return uint32_t{last[i]} | uint32_t{last[i + 1]} << 8 | uint32_t{last[i + 2]} << 16 |
+               uint32_t{last[i + 3]} << 24;
+    };
+    const uint32_t checksum = number(0), size = number(4);
     const auto& starts = stream_->object_starts;
-    if (!in || std::find(starts.begin(), starts.end(), start) == starts.end())
+    const auto start = static_cast<uint32_t>(stream_->position) - size;
+    const bool is_whole = in && std::find(starts.begin(), starts.end(), start) != starts.end() &&
+                          (size > 0 || checksum == 0);
+    if (!is_whole)
         throw CutFile(file_ + ": the gz stream ends early, behind object " +
                       std::to_string(objects_) + ", at unpacked byte " +
                       std::to_string(stream_->position));

@@ -19,7 +19,7 @@ struct CutFile : std::runtime_error {
 /** Reads serialized MRPT objects one by one from a plain or gz file, and tells a clean end from a
  * cut one, which MRPT's own end-of-file exception does not. */
 class ObjectReader {
-   public:
+ public:
     /** \exception std::runtime_error naming the file if it can't be read */
     explicit ObjectReader(const std::string& file);
     ~ObjectReader();
@@ -31,7 +31,7 @@ class ObjectReader {
 
     [[nodiscard]] std::size_t objectsRead() const { return objects_; }
 
-   private:
+ private:
     class Stream;
 
     [[noreturn]] void refuse(const std::string& what) const;

@@ -122,16 +122,14 @@ void readPointCount(const Entries& entries, PcdHeader& header) {
         const Entry* height_entry = find(entries, "HEIGHT");
         const std::size_t height = height_entry ? height_entry->number(0, 1u << 20) : 1;
         if (!points) header.points = width * height;
-        if (header.points != width * height)
-            points->refuse("POINTS is not WIDTH times HEIGHT");
+        if (header.points != width * height) points->refuse("POINTS is not WIDTH times HEIGHT");
     }
 }
 
 void readViewpoint(const Entries& entries, PcdHeader& header) {
     const Entry* viewpoint = find(entries, "VIEWPOINT");
     if (!viewpoint) return;
-    if (viewpoint->words.size() != 7)
-        viewpoint->refuse("expected 7 numbers, tx ty tz qw qx qy qz");
+    if (viewpoint->words.size() != 7) viewpoint->refuse("expected 7 numbers, tx ty tz qw qx qy qz");
     for (std::size_t i = 0; i < 7; i++) {
         double value = 0;
         if (!parseNumber(std::string_view(viewpoint->words[i]), value) || !std::isfinite(value))

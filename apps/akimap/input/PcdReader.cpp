@@ -134,8 +134,8 @@ std::vector<Ray> readCompressed(OpenPcd& pcd) {
     for (std::size_t axis = 0; axis < 3; axis++) {
         const auto& field = h.fields[h.xyz[axis]];
         for (std::size_t i = 0; i < h.points; i++)
-            rays[i].end[axis] = readFloat(&data[field.offset * h.points + i * field.size],
-                                          field.size);
+            rays[i].end[axis] =
+                readFloat(&data[field.offset * h.points + i * field.size], field.size);
     }
     return rays;
 }
@@ -147,9 +147,12 @@ std::vector<Ray> readPcd(const std::string& file) {
     try {
         OpenPcd pcd = openPcd(file);
         switch (pcd.header.data) {
-            case PcdHeader::Data::ascii: return readAscii(pcd);
-            case PcdHeader::Data::binary: return readBinary(pcd);
-            case PcdHeader::Data::binary_compressed: return readCompressed(pcd);
+            case PcdHeader::Data::ascii:
+                return readAscii(pcd);
+            case PcdHeader::Data::binary:
+                return readBinary(pcd);
+            case PcdHeader::Data::binary_compressed:
+                return readCompressed(pcd);
         }
         return {};
     } catch (const std::runtime_error& e) {

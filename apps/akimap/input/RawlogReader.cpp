@@ -36,11 +36,13 @@ CSerializable::Ptr RawlogReader::nextObject() {
     try {
         return objects_.next();
     } catch (const CutFile& e) {
-        if (!partial_)
-            throw std::runtime_error(std::string(e.what()) +
-                                     "; its recorder may have crashed: --partial takes the " +
-                                     std::to_string(objects_.objectsRead()) + " whole objects");
         cut_ = e.what();
+        const std::size_t whole = objects_.objectsRead();
+        if (!partial_)
+            throw std::runtime_error(
+                cut_ + (whole == 0 ? "; nothing before that is whole, for --partial to take"
+                                   : "; its recorder may have crashed: --partial takes the " +
+                                         std::to_string(whole) + " whole objects before it"));
         return nullptr;
     }
 }

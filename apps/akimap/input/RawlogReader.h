@@ -20,7 +20,7 @@ struct RawlogEntry {
 
 /** Streams a rawlog: sensory frames or bare observations, one by one or in one CRawlog. */
 class RawlogReader {
-   public:
+ public:
     /** \param partial take a cut file's end for a clean one
      * \exception std::runtime_error naming the file */
     RawlogReader(const std::string& file, bool partial);
@@ -32,7 +32,7 @@ class RawlogReader {
     /** Says where the file is cut, once next() has got there; empty if it isn't. */
     [[nodiscard]] const std::string& cut() const { return cut_; }
 
-   private:
+ private:
     void unpack(const mrpt::serialization::CSerializable::Ptr& object);
     mrpt::serialization::CSerializable::Ptr nextObject();
 
@@ -40,7 +40,7 @@ class RawlogReader {
     bool partial_;
     ObjectReader objects_;
     std::deque<RawlogEntry> pending_;
-    bool is_rawlog_ = false;       // something that belongs into a rawlog has been seen
+    bool is_rawlog_ = false;   // something that belongs into a rawlog has been seen
     std::string other_class_;  // the last object that does not
     std::string cut_;
 };

@@ -2,15 +2,14 @@
 // Copyright (c) 2026, the akimap developers
 #include "input/RawlogSource.h"
 
-#include <mrpt/img/CImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/obs/CRawlog.h>
 #include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
 
 #include "input/RawlogReader.h"
+#include "input/external_images.h"
 #include "input/scan_classes.h"
 
 namespace akimap::app {
@@ -61,6 +60,7 @@ RawlogSource::RawlogSource(const std::string& file, const InputOptions& options)
     const auto is_covered = [this](auto time) { return !trajectory_ || trajectory_->at(time); };
     scan_count_ = static_cast<std::size_t>(
         std::count_if(found.scan_times.begin(), found.scan_times.end(), is_covered));
+    uncovered_count_ = found.scan_times.size() - scan_count_;
     labels_ = std::move(found.labels);
 }
 
@@ -85,12 +85,13 @@ void RawlogSource::choosePoses(Survey& survey, const InputOptions& options) {
     else if (!survey.odometry.empty())
         trajectory_ = make(survey.odometry);
     else if (!survey.scan_times.empty())
-        options.warn(file() + ": no robot poses and no odometry in it, and no --trajectory: "
-                              "all its scans are taken from one fixed pose");
+        options.warn(file() +
+                     ": no robot poses and no odometry in it, and no --trajectory: "
+                     "all its scans are taken from one fixed pose");
 }
 
 void RawlogSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
-    mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(file()));
+    findExternalImages(file());
     RawlogReader reader(file(), partial_);
     CPose3D dead_reckoning;
     for (RawlogEntry entry; reader.next(entry);) {

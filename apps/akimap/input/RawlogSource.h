@@ -10,16 +10,18 @@ namespace akimap::app {
  * log's own CObservationRobotPose, else its odometry (increments in its actions, else
  * CObservationOdometry), else all zero with a warning. */
 class RawlogSource : public ScanSource {
-   public:
+ public:
     /** Reads the log through.
      * \exception std::runtime_error naming the file: missing, damaged, cut, or no rawlog */
     RawlogSource(const std::string& file, const InputOptions& options);
 
     [[nodiscard]] std::size_t scanCount() const override { return scan_count_; }
+    /** Scans at whose time there is no robot pose. */
+    [[nodiscard]] std::size_t uncoveredCount() const { return uncovered_count_; }
     [[nodiscard]] std::set<std::string> labels() const override { return labels_; }
     void forEachScan(const TakeScan& take, SkippedScans& skipped) override;
 
-   private:
+ private:
     struct Survey;
     Survey survey(const InputOptions& options) const;
     void choosePoses(Survey& survey, const InputOptions& options);
@@ -27,7 +29,7 @@ class RawlogSource : public ScanSource {
     std::string only_label_;
     bool partial_;
     std::shared_ptr<const RobotPath> trajectory_;  // null: increments in the actions, if any
-    std::size_t scan_count_ = 0;
+    std::size_t scan_count_ = 0, uncovered_count_ = 0;
     std::set<std::string> labels_;
 };
 

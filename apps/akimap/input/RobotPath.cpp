@@ -25,9 +25,13 @@ using Sample = RobotPath::Sample;
 
 constexpr auto kTimeTolerance = std::chrono::milliseconds(1);
 
-CQuaternionDouble rotationOf(const TPose3DQuat& p) { return {p.qr, p.qx, p.qy, p.qz}; }
+CQuaternionDouble rotationOf(const TPose3DQuat& p) {
+    return {p.qr, p.qx, p.qy, p.qz};
+}
 
-CPose3D toPose(const TPose3DQuat& p) { return CPose3D(rotationOf(p), p.x, p.y, p.z); }
+CPose3D toPose(const TPose3DQuat& p) {
+    return CPose3D(rotationOf(p), p.x, p.y, p.z);
+}
 
 CPose3D between(const Sample& a, const Sample& b, Time time) {
     const double t = static_cast<double>((time - a.time).count()) /

@@ -14,7 +14,7 @@ namespace akimap::app {
 
 /** The robot's pose in the map over time: linear between samples, its rotation by slerp. */
 class RobotPath {
-   public:
+ public:
     struct Sample {
         mrpt::Clock::time_point time;
         mrpt::math::TPose3DQuat pose;  ///< [m], unit quaternion
@@ -35,7 +35,7 @@ class RobotPath {
 
     [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }  ///< by time
 
-   private:
+ private:
     std::vector<Sample> samples_;
     mrpt::Clock::duration max_gap_;
 };

@@ -22,28 +22,28 @@ namespace akimap::app {
 struct Scan {
     mrpt::obs::CObservation::Ptr observation;  ///< null for bare rays
     mrpt::poses::CPose3D robot_pose;           ///< in the map, at the observation's time
-    std::shared_ptr<const RobotPath> motion;  ///< the robot's around that time; null: it stands
+    std::shared_ptr<const RobotPath> motion;   ///< the robot's around that time; null: it stands
     std::vector<Ray> rays;                     ///< [m] map frame
 };
 
 /** What the sources passed over. */
 struct SkippedScans {
-    uint64_t outside_trajectory = 0;  ///< no robot pose at their time
-    uint64_t other_label = 0;         ///< not of the wanted sensor
+    uint64_t outside_trajectory = 0;           ///< no robot pose at their time
+    uint64_t other_label = 0;                  ///< not of the wanted sensor
     std::map<std::string, uint64_t> unusable;  ///< by class, of which no map can be made
 };
 
 struct InputOptions {
     std::shared_ptr<const RobotPath> trajectory;  ///< robot poses for rawlogs, before their own
-    double max_gap = 0.5;     ///< [s] largest gap bridged between robot poses
-    std::string only_label;   ///< take observations of this sensor only; empty: of all
-    bool partial = false;     ///< take what is whole of a rawlog cut at its end
+    double max_gap = 0.5;                         ///< [s] largest gap bridged between robot poses
+    std::string only_label;  ///< take observations of this sensor only; empty: of all
+    bool partial = false;    ///< take what is whole of a rawlog cut at its end
     std::function<void(const std::string&)> warn;  ///< gets one line
 };
 
 /** A file of scans. Opening one reads it through, to find robot poses and refuse it early. */
 class ScanSource {
-   public:
+ public:
     /** Gets a scan and returns whether it wants more. */
     using TakeScan = std::function<bool(Scan&)>;
 
@@ -62,7 +62,7 @@ class ScanSource {
      * \exception std::runtime_error naming the file */
     virtual void forEachScan(const TakeScan& take, SkippedScans& skipped) = 0;
 
-   private:
+ private:
     std::string file_;
 };
 

@@ -2,11 +2,10 @@
 // Copyright (c) 2026, the akimap developers
 #include "input/SimplemapSource.h"
 
-#include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
-#include <mrpt/obs/CRawlog.h>
 
 #include "input/ObjectReader.h"
+#include "input/external_images.h"
 #include "input/scan_classes.h"
 
 namespace akimap::app {
@@ -41,7 +40,7 @@ SimplemapSource::SimplemapSource(const std::string& file, const InputOptions& op
 }
 
 void SimplemapSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
-    mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(file()));
+    findExternalImages(file());
     const auto map = load(file());
     for (const auto& keyframe : *map) {
         if (!keyframe.pose || !keyframe.sf) continue;

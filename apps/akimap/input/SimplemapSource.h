@@ -8,7 +8,7 @@ namespace akimap::app {
 
 /** The scans of a CSimpleMap, each placed by the mean pose of its keyframe. */
 class SimplemapSource : public ScanSource {
-   public:
+ public:
     /** \exception std::runtime_error naming the file: missing, damaged, or no simplemap */
     SimplemapSource(const std::string& file, const InputOptions& options);
 
@@ -16,7 +16,7 @@ class SimplemapSource : public ScanSource {
     [[nodiscard]] std::set<std::string> labels() const override { return labels_; }
     void forEachScan(const TakeScan& take, SkippedScans& skipped) override;
 
-   private:
+ private:
     std::string only_label_;
     std::size_t scan_count_ = 0;
     std::set<std::string> labels_;

@@ -13,7 +13,7 @@ namespace {
 
 /** A point cloud file: one scan, of no labelled sensor. */
 class PcdSource : public ScanSource {
-   public:
+ public:
     explicit PcdSource(const std::string& file) : ScanSource(file) { checkPcd(file); }
 
     [[nodiscard]] std::size_t scanCount() const override { return 1; }

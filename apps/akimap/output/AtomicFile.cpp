@@ -43,8 +43,10 @@ AtomicFile::AtomicFile(const std::string& target) : target_(target) {
     if (target.empty()) refuse(target, "the file has no name");
     std::error_code error;
     fs::path destination = target;
-    if (fs::is_symlink(destination, error)) destination = fs::weakly_canonical(target, error);
-    if (error) refuse(target, error.message());
+    if (fs::is_symlink(destination, error)) {
+        destination = fs::weakly_canonical(target, error);
+        if (error) refuse(target, error.message());
+    }
     destination_ = destination.string();
 
     const auto status = fs::status(destination, error);
@@ -70,6 +72,8 @@ void AtomicFile::commit() {
     pending_ = false;
 }
 
-void AtomicFile::checkWritable(const std::string& target) { const AtomicFile probe(target); }
+void AtomicFile::checkWritable(const std::string& target) {
+    const AtomicFile probe(target);
+}
 
 }  // namespace akimap::app

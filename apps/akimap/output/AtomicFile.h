@@ -10,7 +10,7 @@ namespace akimap::app {
  * commit() puts it in the target's place. Uncommitted, the temporary is removed and an older
  * target stays as it was. Devices and pipes (/dev/stdout) are written directly. */
 class AtomicFile {
-   public:
+ public:
     /** Creates the (empty) temporary.
      * \exception std::runtime_error naming the target if it can't be written */
     explicit AtomicFile(const std::string& target);
@@ -30,7 +30,7 @@ class AtomicFile {
      * \exception std::runtime_error naming the target */
     static void checkWritable(const std::string& target);
 
-   private:
+ private:
     std::string target_;
     std::string destination_;  // the target behind symbolic links
     std::string path_;

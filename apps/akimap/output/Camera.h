@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "output/Raster.h"
@@ -10,6 +11,9 @@
 namespace akimap::app {
 
 using Point = std::array<double, 3>;
+[[nodiscard]] inline Point toPoint(const std::array<int32_t, 3>& p) {
+    return {double(p[0]), double(p[1]), double(p[2])};
+}
 
 /** A rectangle of the picture [pixels], y downwards. */
 struct Frame {
@@ -18,7 +22,7 @@ struct Frame {
 
 /** A perspective camera that looks at a sphere from outside. */
 class Camera {
-   public:
+ public:
     /** \param azimuth,elevation where the camera stands as seen from the centre [rad] */
     Camera(const Point& center, double radius, double azimuth, double elevation);
 
@@ -31,7 +35,7 @@ class Camera {
     [[nodiscard]] Raster::Vertex project(const Point& p) const;
     [[nodiscard]] const Point& eye() const { return eye_; }
 
-   private:
+ private:
     Point eye_, right_, up_, forward_;
     double distance_, zoom_ = 1, shift_x_ = 0, shift_y_ = 0;
 };

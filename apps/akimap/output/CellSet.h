@@ -14,7 +14,7 @@ namespace akimap::app {
 
 /** A set of cells, one bit each: for drawing, where neighbours are asked for all the time. */
 class CellSet {
-   public:
+ public:
     void insert(const CellIndex& c) {
         const auto place = static_cast<uint32_t>(blocks_.size());
         const auto [block, fresh] = index_.insert(packKey(BlockGrid::blockOf(c)), place);
@@ -39,7 +39,7 @@ class CellSet {
                                     b.at.z * 8 + (i >> 6)});
     }
 
-   private:
+ private:
     struct Block {
         static constexpr int kCells = 512;
         CellIndex at;

@@ -24,7 +24,9 @@ struct Weights {
     }
 };
 
-uint8_t toByte(float v) { return static_cast<uint8_t>(std::clamp(v, 0.f, 1.f) * 255 + 0.5f); }
+uint8_t toByte(float v) {
+    return static_cast<uint8_t>(std::clamp(v, 0.f, 1.f) * 255 + 0.5f);
+}
 
 }  // namespace
 

@@ -14,10 +14,10 @@ namespace akimap::app {
  * no display, and draws the same picture everywhere. (MRPT's CFBORender works only where EGL does,
  * and took 4 s and 1.1 GB for 4 million triangles; this takes 7 bytes a pixel and no triangles.) */
 class Raster {
-   public:
+ public:
     struct Vertex {
-        float x, y;        ///< [pixels], y downwards
-        float nearness;    ///< 1 / depth: linear on the screen
+        float x, y;      ///< [pixels], y downwards
+        float nearness;  ///< 1 / depth: linear on the screen
         float brightness;
     };
 
@@ -32,7 +32,7 @@ class Raster {
     [[nodiscard]] float nearness(int x, int y) const { return nearness_[at(x, y)]; }
     [[nodiscard]] Color color(int x, int y) const;
 
-   private:
+ private:
     struct Corner {
         Vertex vertex;
         float u, v;  // in the face, 0 to 1

@@ -10,7 +10,9 @@ struct Color {
 [[nodiscard]] inline Color mix(const Color& a, const Color& b, float t) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
 }
-[[nodiscard]] inline Color operator*(const Color& c, float f) { return {c.r * f, c.g * f, c.b * f}; }
+[[nodiscard]] inline Color operator*(const Color& c, float f) {
+    return {c.r * f, c.g * f, c.b * f};
+}
 
 /** From indigo at 0 through blue, green and amber to red at 1; clamped outside. */
 [[nodiscard]] Color heightColor(double t);

@@ -12,13 +12,17 @@ namespace akimap::app {
 struct ExportOptions {
     double threshold = 0.5;       ///< [-] in (0,1). Cells with a higher occupancy are occupied
     bool unknown = false;         ///< Draw cells without evidence too (.png, .3Dscene)
-    std::optional<double> slice;  ///< [m] Height of the picture's slice; default: 1 m above the floor
+    std::optional<double> slice;  ///< [m] Height of the picture's slice; default: above the floor,
+                                  ///< where most is known
 };
 
 /** Writes the map as .csv, .ply, .pcd, .bt, .ot, .3Dscene or .png, by the file's extension. The
  * file appears whole or not at all.
  * \exception std::runtime_error naming the file and what is wrong */
 void exportMap(const AkiMap& map, const std::string& file, const ExportOptions& options = {});
+
+/** Whether options.unknown makes a difference to files of this extension. */
+[[nodiscard]] bool drawsUnknown(const std::string& file);
 
 /** For asking before long work.
  * \exception std::runtime_error if the extension is unknown or the file can't be written */

@@ -8,7 +8,9 @@ namespace {
 
 constexpr int kTurn[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};  // once round a unit square
 
-CellIndex toCell(const std::array<int32_t, 3>& a) { return {a[0], a[1], a[2]}; }
+CellIndex toCell(const std::array<int32_t, 3>& a) {
+    return {a[0], a[1], a[2]};
+}
 
 }  // namespace
 

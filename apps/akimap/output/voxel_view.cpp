@@ -122,8 +122,8 @@ CellSet withoutCeiling(const CellSet& cells, double resolution, double& cut) {
     if ((heights.high - heights.low) * resolution < 1.5) return cells;
     std::vector<CellIndex> list = listOf(cells);
     std::size_t columns = 0;
-    std::vector<int32_t> slabs = overhangs(list, (heights.low + heights.high) / 2,
-                                           0.3 / resolution, 1.0 / resolution, columns);
+    std::vector<int32_t> slabs = overhangs(list, (heights.low + heights.high) / 2, 0.3 / resolution,
+                                           1.0 / resolution, columns);
     if (static_cast<double>(slabs.size()) < 0.4 * static_cast<double>(columns)) return cells;
     cut = quantile(slabs, 0.05);
     CellSet below;
@@ -144,8 +144,8 @@ Camera chooseCamera(const CellSet& cells, const Frame& picture, const std::vecto
         // Never along an axis: there a room's walls would show only their tops.
         const double azimuth = (step / 3 * 90 + 25 + step % 3 * 20) * kPi / 180;
         const double c = std::cos(azimuth), s = std::sin(azimuth);
-        const double seen = (c < 0 ? -c * facing[0] : c * facing[1]) +
-                            (s < 0 ? -s * facing[2] : s * facing[3]);
+        const double seen =
+            (c < 0 ? -c * facing[0] : c * facing[1]) + (s < 0 ? -s * facing[2] : s * facing[3]);
         for (int shift = 0; shift <= 8; shift++) {
             Camera camera(sphere.center, sphere.radius, azimuth, kElevation);
             Frame frame = picture;
@@ -172,8 +172,7 @@ void drawCells(const CellSet& cells, const Camera& camera, const HeightRange& he
         const std::array<int, 4> open = openness(cells, face);
         std::array<Raster::Vertex, 4> corners;
         for (std::size_t i = 0; i < 4; i++) {
-            const auto& c = face.corners[i];
-            corners[i] = camera.project({double(c[0]), double(c[1]), double(c[2])});
+            corners[i] = camera.project(toPoint(face.corners[i]));
             corners[i].brightness = kLight[face.axis][face.side] * kOpenness[open[i]];
         }
         raster.fill(corners, heightColor(heights.place(face.cell.z + 0.5)), rim);

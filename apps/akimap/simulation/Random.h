@@ -11,7 +11,7 @@ namespace akimap::app {
 /** Seeded random numbers. The standard fixes the engine's bits but leaves its distributions to
  * each library, so these are our own: a seed gives the same drive everywhere. */
 class Random {
-   public:
+ public:
     /** \param stream  keeps the uses of one seed independent of each other */
     Random(uint64_t seed, uint32_t stream) {
         std::seed_seq mix{static_cast<uint32_t>(seed), static_cast<uint32_t>(seed >> 32), stream};
@@ -29,7 +29,7 @@ class Random {
         return sigma * radius * std::cos(uniform(0, 2 * M_PI));
     }
 
-   private:
+ private:
     std::mt19937_64 engine_;
 };
 

@@ -25,8 +25,7 @@ void addRoom(Scene& scene) {
 
 /** A box with level faces; opposite corners [m], to which kCellMiddle is added. */
 void addCrate(Scene& scene, const TPoint3D& low, const TPoint3D& high) {
-    const TPoint3D centre =
-        (low + high) * 0.5 + TVector3D(kCellMiddle, kCellMiddle, kCellMiddle);
+    const TPoint3D centre = (low + high) * 0.5 + TVector3D(kCellMiddle, kCellMiddle, kCellMiddle);
     scene.add(makeBox({centre.x, centre.y, centre.z, 0, 0, 0}, high - low));
 }
 
@@ -72,7 +71,7 @@ Scene makeStructured() {
 
 /** Draws places for round footprints that keep clear of each other, the walls and the robot. */
 class FreeFloor {
-   public:
+ public:
     FreeFloor(const std::vector<ScanPlace>& places, Random& random) : random_(random) {
         for (const ScanPlace& p : places) taken_.push_back({p.x, p.y, kRobotClearance});
     }
@@ -88,7 +87,7 @@ class FreeFloor {
         return p;
     }
 
-   private:
+ private:
     static constexpr double kRobotClearance = 0.8, kGap = 0.2;  // [m]
     struct Disc {
         double x, y, radius;
@@ -140,23 +139,35 @@ Scene makeUnstructured(uint64_t seed) {
 
 }  // namespace
 
+void Scene::add(ShapePtr shape) {
+    constexpr double kRounding = 1e-9;  // [m]
+    balls_.push_back(shape->ball());
+    balls_.back().radius += kRounding;
+    shapes_.push_back(std::move(shape));
+}
+
 std::optional<double> Scene::castRay(const TPoint3D& origin, const TVector3D& direction,
                                      double max_distance) const {
     double distance = std::numeric_limits<double>::infinity();
-    for (const ShapePtr& shape : shapes_)
-        distance = std::min(distance, shape->rayDistance(origin, direction));
+    for (std::size_t i = 0; i < shapes_.size(); i++) {
+        const TVector3D to_ball = balls_[i].centre - origin;
+        const double along = dot(to_ball, direction), radius = balls_[i].radius;
+        if (to_ball.sqrNorm() - along * along > radius * radius) continue;
+        distance = std::min(distance, shapes_[i]->rayDistance(origin, direction));
+    }
     if (!std::isfinite(distance) || distance > max_distance) return std::nullopt;
     return distance;
 }
 
 double Scene::distanceToSurface(const TPoint3D& point) const {
     double distance = std::numeric_limits<double>::infinity();
-    for (const ShapePtr& shape : shapes_)
-        distance = std::min(distance, shape->distanceTo(point));
+    for (const ShapePtr& shape : shapes_) distance = std::min(distance, shape->distanceTo(point));
     return distance;
 }
 
-double Scene::floorHeight() { return kCellMiddle; }
+double Scene::floorHeight() {
+    return kCellMiddle;
+}
 
 Scene makeScene(SceneKind kind, uint64_t seed) {
     return kind == SceneKind::structured ? makeStructured() : makeUnstructured(seed);

@@ -27,7 +27,7 @@ struct ScanPlace {
  * 5 cm cells and a quarter into 10 cm cells, so that range noise rarely carries a return into
  * the next cell. Const calls are thread-safe. */
 class Scene {
-   public:
+ public:
     /** Distance [m] from the origin, inside the room, to the first surface along the ray.
      * \param direction  of unit length */
     [[nodiscard]] std::optional<double> castRay(
@@ -41,11 +41,12 @@ class Scene {
     [[nodiscard]] const std::vector<ScanPlace>& places() const { return places_; }
     [[nodiscard]] static double floorHeight();  ///< [m]
 
-    void add(ShapePtr shape) { shapes_.push_back(std::move(shape)); }
+    void add(ShapePtr shape);
     void addPlace(const ScanPlace& place) { places_.push_back(place); }
 
-   private:
+ private:
     std::vector<ShapePtr> shapes_;
+    std::vector<Ball> balls_;  // one for each shape, a hair larger
     std::vector<ScanPlace> places_;
 };
 

@@ -18,15 +18,18 @@ namespace {
 
 constexpr double kMiss = std::numeric_limits<double>::infinity();
 
-/** Grid over the parallelogram corner + [0,1] u + [0,1] v, its edges included. */
+int countSteps(double length, double spacing) {
+    return std::max(1, static_cast<int>(std::ceil(length / spacing)));
+}
+
+/** Middles of the fields of a grid over the parallelogram corner + [0,1] u + [0,1] v. */
 void addGrid(std::vector<SurfacePoint>& out, const TPoint3D& corner, const TVector3D& u,
              const TVector3D& v, const TVector3D& normal, double spacing) {
-    const int rows = static_cast<int>(std::ceil(u.norm() / spacing));
-    const int columns = static_cast<int>(std::ceil(v.norm() / spacing));
-    out.reserve(out.size() + static_cast<std::size_t>((rows + 1) * (columns + 1)));
-    for (int i = 0; i <= rows; i++)
-        for (int j = 0; j <= columns; j++)
-            out.push_back({corner + u * (double(i) / rows) + v * (double(j) / columns), normal});
+    const int rows = countSteps(u.norm(), spacing), columns = countSteps(v.norm(), spacing);
+    out.reserve(out.size() + static_cast<std::size_t>(rows * columns));
+    for (int i = 0; i < rows; i++)
+        for (int j = 0; j < columns; j++)
+            out.push_back({corner + u * ((i + 0.5) / rows) + v * ((j + 0.5) / columns), normal});
 }
 
 /** Distance to the surface of a solid from its per-axis distances to the faces, where
@@ -38,7 +41,7 @@ double distanceFromAxes(const TVector3D& d) {
 }
 
 class Room : public Shape {
-   public:
+ public:
     Room(const TPoint3D& low, const TPoint3D& high) : low_(low), high_(high) {}
 
     double rayDistance(const TPoint3D& o, const TVector3D& d) const override {
@@ -59,6 +62,7 @@ class Room : public Shape {
             }
         return distance;
     }
+    Ball ball() const override { return {(low_ + high_) * 0.5, kMiss}; }
     std::vector<SurfacePoint> surface(double spacing) const override {
         const TVector3D size = high_ - low_;
         const TVector3D x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
@@ -71,12 +75,12 @@ class Room : public Shape {
         return points;
     }
 
-   private:
+ private:
     TPoint3D low_, high_;
 };
 
 class Box : public Shape {
-   public:
+ public:
     Box(const mrpt::math::TPose3D& centre, const TVector3D& size)
         : centre_(centre.x, centre.y, centre.z), half_(size * 0.5) {
         const auto rotation = mrpt::poses::CPose3D(centre).getRotationMatrix();
@@ -101,6 +105,7 @@ class Box : public Shape {
         return distanceFromAxes(
             {std::abs(v.x) - half_.x, std::abs(v.y) - half_.y, std::abs(v.z) - half_.z});
     }
+    Ball ball() const override { return {centre_, half_.norm()}; }
     std::vector<SurfacePoint> surface(double spacing) const override {
         std::vector<SurfacePoint> points;
         for (std::size_t i = 0; i < 3; i++)
@@ -114,7 +119,7 @@ class Box : public Shape {
         return points;
     }
 
-   private:
+ private:
     [[nodiscard]] TVector3D toLocal(const TVector3D& v) const {
         return {dot(axes_[0], v), dot(axes_[1], v), dot(axes_[2], v)};
     }
@@ -125,7 +130,7 @@ class Box : public Shape {
 };
 
 class Pillar : public Shape {
-   public:
+ public:
     Pillar(double x, double y, double radius, double bottom, double top)
         : x_(x), y_(y), radius_(radius), bottom_(bottom), top_(top) {}
 
@@ -148,19 +153,22 @@ class Pillar : public Shape {
         const double cap = std::max(bottom_ - p.z, p.z - top_);
         return distanceFromAxes({side, cap, -kMiss});
     }
+    Ball ball() const override {
+        return {{x_, y_, 0.5 * (bottom_ + top_)}, std::hypot(radius_, 0.5 * (top_ - bottom_))};
+    }
     std::vector<SurfacePoint> surface(double spacing) const override {
         std::vector<SurfacePoint> points;
-        const int rings = static_cast<int>(std::ceil((top_ - bottom_) / spacing));
+        const int rings = countSteps(top_ - bottom_, spacing);
         forRing(radius_, spacing, [&](const TVector3D& outward) {
-            for (int i = 0; i <= rings; i++) {
-                const double z = bottom_ + (top_ - bottom_) * i / rings;
+            for (int i = 0; i < rings; i++) {
+                const double z = bottom_ + (top_ - bottom_) * (i + 0.5) / rings;
                 const TPoint3D foot(x_, y_, z);
                 points.push_back({foot + outward * radius_, outward});
             }
         });
-        const int circles = static_cast<int>(std::ceil(radius_ / spacing));
-        for (int i = 0; i <= circles; i++) {
-            const double r = radius_ * i / circles;
+        const int circles = countSteps(radius_, spacing);
+        for (int i = 0; i < circles; i++) {
+            const double r = radius_ * (i + 0.5) / circles;
             forRing(r, spacing, [&](const TVector3D& outward) {
                 points.push_back({TPoint3D(x_, y_, top_) + outward * r, {0, 0, 1}});
                 points.push_back({TPoint3D(x_, y_, bottom_) + outward * r, {0, 0, -1}});
@@ -169,10 +177,10 @@ class Pillar : public Shape {
         return points;
     }
 
-   private:
+ private:
     template <class Visitor>
     static void forRing(double radius, double spacing, Visitor&& visit) {
-        const int steps = std::max(1, static_cast<int>(std::ceil(2 * M_PI * radius / spacing)));
+        const int steps = countSteps(2 * M_PI * radius, spacing);
         for (int i = 0; i < steps; i++) {
             const double angle = 2 * M_PI * i / steps;
             visit(TVector3D(std::cos(angle), std::sin(angle), 0));
@@ -183,7 +191,7 @@ class Pillar : public Shape {
 };
 
 class Sphere : public Shape {
-   public:
+ public:
     Sphere(const TPoint3D& centre, double radius) : centre_(centre), radius_(radius) {}
 
     double rayDistance(const TPoint3D& origin, const TVector3D& direction) const override {
@@ -196,13 +204,13 @@ class Sphere : public Shape {
     double distanceTo(const TPoint3D& p) const override {
         return std::abs(p.distanceTo(centre_) - radius_);
     }
+    Ball ball() const override { return {centre_, radius_}; }
     std::vector<SurfacePoint> surface(double spacing) const override {
         std::vector<SurfacePoint> points;
-        const int rings = static_cast<int>(std::ceil(M_PI * radius_ / spacing));
-        for (int i = 0; i <= rings; i++) {
-            const double polar = M_PI * i / rings, sine = std::sin(polar);
-            const int steps =
-                std::max(1, static_cast<int>(std::ceil(2 * M_PI * radius_ * sine / spacing)));
+        const int rings = countSteps(M_PI * radius_, spacing);
+        for (int i = 0; i < rings; i++) {
+            const double polar = M_PI * (i + 0.5) / rings, sine = std::sin(polar);
+            const int steps = countSteps(2 * M_PI * radius_ * sine, spacing);
             for (int j = 0; j < steps; j++) {
                 const double angle = 2 * M_PI * j / steps;
                 const TVector3D normal(sine * std::cos(angle), sine * std::sin(angle),
@@ -213,7 +221,7 @@ class Sphere : public Shape {
         return points;
     }
 
-   private:
+ private:
     TPoint3D centre_;
     double radius_;
 };

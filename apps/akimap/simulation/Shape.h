@@ -16,9 +16,15 @@ struct SurfacePoint {
     mrpt::math::TVector3D normal;
 };
 
+/** Encloses a shape: most rays miss most shapes, and this tells so soonest. */
+struct Ball {
+    mrpt::math::TPoint3D centre;
+    double radius;  ///< [m]
+};
+
 /** A solid (or the room's shell) that rays meet exactly: no meshes, no rendering. */
 class Shape {
-   public:
+ public:
     virtual ~Shape() = default;
 
     /** Distance [m] from a point outside to where the ray enters; infinity if it misses.
@@ -27,6 +33,7 @@ class Shape {
                                              const mrpt::math::TVector3D& direction) const = 0;
     /** Distance [m] from the point to the surface, never negative. */
     [[nodiscard]] virtual double distanceTo(const mrpt::math::TPoint3D& point) const = 0;
+    [[nodiscard]] virtual Ball ball() const = 0;
     /** Points all over the surface, at most `spacing` [m] from one to the next. */
     [[nodiscard]] virtual std::vector<SurfacePoint> surface(double spacing) const = 0;
 };

@@ -20,7 +20,7 @@ struct TimedPose {
 /** The robot's motion: straight lines and constant turns (slerp) between its keyframes, so that
  * a reader who interpolates the keyframes in this way gets the motion itself. */
 class Trajectory {
-   public:
+ public:
     Trajectory();
     /** Keyframes come in the order of time. */
     void add(double time, const mrpt::poses::CPose3D& pose);
@@ -29,7 +29,7 @@ class Trajectory {
     [[nodiscard]] mrpt::poses::CPose3D at(double time) const;
     [[nodiscard]] const std::vector<TimedPose>& keyframes() const { return keyframes_; }
 
-   private:
+ private:
     std::vector<TimedPose> keyframes_;
     mrpt::poses::CPose3DInterpolator interpolator_;
 };

@@ -13,13 +13,13 @@ using mrpt::math::TVector3D;
 
 namespace {
 
-constexpr int kColumns = 84, kRows = 48;
-constexpr double kHalfWidth = 1.19;                      // tan 50 deg
-constexpr double kFocal = 0.5 * kColumns / kHalfWidth;   // [pixels]
+constexpr int kColumns = 80, kRows = 46;
+constexpr double kHalfWidth = 1.19;                     // tan 50 deg
+constexpr double kFocal = 0.5 * kColumns / kHalfWidth;  // [pixels]
 constexpr double kHalfHeight = 0.5 * kRows / kFocal;
 constexpr double kCentreX = 0.5 * (kColumns - 1), kCentreY = 0.5 * (kRows - 1);
-constexpr double kUnit = 0.001;      // [m] of the range image
-constexpr double kMinRange = 0.3;    // [m]
+constexpr double kUnit = 0.001;    // [m] of the range image
+constexpr double kMinRange = 0.3;  // [m]
 constexpr double kDegree = M_PI / 180;
 
 mrpt::obs::CObservation3DRangeScan::Ptr makeObservation(const World& world, double time) {
@@ -53,8 +53,8 @@ SimulatedScan takeDepthScan(const World& world, double time, Random& random) {
         for (int c = 0; c < kColumns; c++) {
             const TVector3D pixel(1, (kCentreX - c) / kFocal, (kCentreY - r) / kFocal);
             const TVector3D direction = pixel.unitarize();
-            const auto range = measureRange(world, origin, sensor.rotateVector(direction),
-                                            kMinRange, random);
+            const auto range =
+                measureRange(world, origin, sensor.rotateVector(direction), kMinRange, random);
             const long units = range ? std::lround(*range * direction.x / kUnit) : 0;
             obs->rangeImage(r, c) = static_cast<uint16_t>(units);
             if (units > 0)

@@ -14,7 +14,7 @@ using mrpt::math::TVector3D;
 
 namespace {
 
-constexpr int kShots = 4000;
+constexpr int kShots = 3600;
 constexpr double kDegree = M_PI / 180;
 constexpr double kHalfWidth = 60 * kDegree, kLow = -40 * kDegree, kHigh = 20 * kDegree;
 constexpr double kMinRange = 0.3;  // [m]

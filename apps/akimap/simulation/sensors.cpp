@@ -8,9 +8,12 @@ using mrpt::math::TPoint3D;
 
 SimulatedScan takeScan(SensorKind kind, const World& world, double time, Random& random) {
     switch (kind) {
-        case SensorKind::depth: return takeDepthScan(world, time, random);
-        case SensorKind::velodyne: return takeVelodyneScan(world, time, random);
-        default: return takePointScan(world, time, random);
+        case SensorKind::depth:
+            return takeDepthScan(world, time, random);
+        case SensorKind::velodyne:
+            return takeVelodyneScan(world, time, random);
+        default:
+            return takePointScan(world, time, random);
     }
 }
 

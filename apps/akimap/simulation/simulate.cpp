@@ -19,11 +19,11 @@ void check(const SimulationOptions& options) {
             "moving: only the velodyne sensor takes its time over a scan; depth and pointcloud "
             "see all at once");
     if (!(options.range_noise >= 0 && std::isfinite(options.range_noise)))
-        throw std::runtime_error("range_noise: " + std::to_string(options.range_noise) +
+        throw std::runtime_error("range noise: " + std::to_string(options.range_noise) +
                                  " m, but it must be 0 or more");
     // Above it the range image's 16 bits of millimetres overflow.
     if (!(options.max_range > 0 && options.max_range <= 60))
-        throw std::runtime_error("max_range: " + std::to_string(options.max_range) +
+        throw std::runtime_error("maximum range: " + std::to_string(options.max_range) +
                                  " m, but it must be above 0 and at most 60");
 }
 

@@ -18,45 +18,56 @@ using mrpt::math::TVector3D;
 
 namespace {
 
-enum CellFlag : uint8_t { kUnseen = 0, kCrossed = 1, kCut = 2 };
+enum CellFlag : uint8_t {
+    kCrossed = 1,  ///< by a sight line
+    kCut = 2,      ///< by a surface, though perhaps by a part that no view sees
+    kSeenCut = 4   ///< by a surface that some view sees
+};
 
-/** The cells around the room, each seen empty, cut by a surface, or not seen at all. */
+/** The cells of the scoring box: each crossed by a sight line, cut by a surface, or not seen. */
 class SeenCells {
-   public:
-    SeenCells(const TPoint3D& low, const TPoint3D& high, double resolution)
-        : resolution_(resolution) {
+ public:
+    explicit SeenCells(double resolution) : resolution_(resolution) {
+        const auto box = scoringBox();
         for (std::size_t i = 0; i < 3; i++) {
-            first_[i] = static_cast<int>(std::floor(low[i] / resolution));
-            count_[i] = static_cast<int>(std::floor(high[i] / resolution)) - first_[i] + 1;
+            first_[i] = static_cast<int>(std::floor(box.min[i] / resolution));
+            count_[i] = static_cast<int>(std::floor(box.max[i] / resolution)) - first_[i] + 1;
         }
-        flags_.resize(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]));
+        stride_ = {1, count_[0], count_[0] * count_[1]};
+        flags_.resize(static_cast<std::size_t>(stride_[2] * count_[2]));
     }
 
-    void markCut(const TPoint3D& p) {
-        Index cell;
-        for (std::size_t i = 0; i < 3; i++) cell[i] = axisCell(p[i], i);
-        mark(cell, kCut);
-    }
-
-    /** Marks the cells that a sight line crosses, both ends included (Amanatides and Woo). */
-    void markCrossed(const TPoint3D& from, const TVector3D& direction, double length) {
-        Index cell{}, step{};
-        std::array<double, 3> next{}, period{};
+    void mark(const TPoint3D& p, CellFlag flag) {
+        int at = 0;
         for (std::size_t i = 0; i < 3; i++) {
-            cell[i] = axisCell(from[i], i);
-            step[i] = direction[i] < 0 ? -1 : 1;
-            const double face = (first_[i] + cell[i] + (step[i] > 0 ? 1 : 0)) * resolution_;
-            const bool level = direction[i] == 0;
-            constexpr double kNever = std::numeric_limits<double>::infinity();
-            next[i] = level ? kNever : (face - from[i]) / direction[i];
-            period[i] = level ? kNever : resolution_ / std::abs(direction[i]);
+            const int cell = axisCell(p[i], i);
+            if (cell < 0 || cell >= count_[i]) return;
+            at += cell * stride_[i];
+        }
+        flags_[static_cast<std::size_t>(at)] |= flag;
+    }
+
+    /** Marks the cells that a sight line crosses between two distances from its origin, both
+     * ends included (Amanatides and Woo). \pre both ends are in the scoring box */
+    void markCrossed(const TPoint3D& origin, const TVector3D& direction, double from, double to) {
+        constexpr double kNever = std::numeric_limits<double>::infinity();
+        Index step{};
+        std::array<double, 3> next{}, period{};
+        int at = 0;
+        for (std::size_t i = 0; i < 3; i++) {
+            const int cell = axisCell(origin[i] + from * direction[i], i);
+            const double face = (first_[i] + cell + (direction[i] > 0 ? 1 : 0)) * resolution_;
+            at += cell * stride_[i];
+            step[i] = direction[i] < 0 ? -stride_[i] : stride_[i];
+            next[i] = direction[i] == 0 ? kNever : (face - origin[i]) / direction[i];
+            period[i] = resolution_ / std::abs(direction[i]);
         }
         while (true) {
-            mark(cell, kCrossed);
-            const std::size_t axis = next[0] < next[1] ? (next[0] < next[2] ? 0 : 2)
-                                                       : (next[1] < next[2] ? 1 : 2);
-            if (next[axis] > length) return;
-            cell[axis] += step[axis];
+            flags_[static_cast<std::size_t>(at)] |= kCrossed;
+            const std::size_t axis =
+                next[0] < next[1] ? (next[0] < next[2] ? 0 : 2) : (next[1] < next[2] ? 1 : 2);
+            if (next[axis] > to) return;
+            at += step[axis];
             next[axis] += period[axis];
         }
     }
@@ -67,38 +78,31 @@ class SeenCells {
 
     [[nodiscard]] std::unique_ptr<octomap::OcTree> toTree() const {
         auto tree = std::make_unique<octomap::OcTree>(resolution_);
-        std::size_t at = 0;
-        for (int z = 0; z < count_[2]; z++)
-            for (int y = 0; y < count_[1]; y++)
-                for (int x = 0; x < count_[0]; x++, at++) {
-                    if (flags_[at] == kUnseen) continue;
-                    const bool cut = flags_[at] & kCut;
-                    tree->setNodeValue(centre(x, 0), centre(y, 1), centre(z, 2),
-                                       cut ? tree->getClampingThresMaxLog()
-                                           : tree->getClampingThresMinLog(),
-                                       true);
-                }
+        const float occupied = tree->getClampingThresMaxLog();
+        const float free = tree->getClampingThresMinLog();
+        for (std::size_t at = 0; at < flags_.size(); at++) {
+            if (flags_[at] & kSeenCut)
+                tree->setNodeValue(centre(at, 0), centre(at, 1), centre(at, 2), occupied, true);
+            else if (flags_[at] == kCrossed)
+                tree->setNodeValue(centre(at, 0), centre(at, 1), centre(at, 2), free, true);
+        }
         tree->updateInnerOccupancy();
         return tree;
     }
 
-   private:
+ private:
     using Index = std::array<int, 3>;
 
     [[nodiscard]] int axisCell(double v, std::size_t axis) const {
         return static_cast<int>(std::floor(v / resolution_)) - first_[axis];
     }
-    [[nodiscard]] double centre(int cell, std::size_t axis) const {
+    [[nodiscard]] double centre(std::size_t at, std::size_t axis) const {
+        const int cell = static_cast<int>(at) / stride_[axis] % count_[axis];
         return (first_[axis] + cell + 0.5) * resolution_;
-    }
-    void mark(const Index& c, CellFlag flag) {
-        for (std::size_t i = 0; i < 3; i++)
-            if (c[i] < 0 || c[i] >= count_[i]) return;
-        flags_[static_cast<std::size_t>((c[2] * count_[1] + c[1]) * count_[0] + c[0])] |= flag;
     }
 
     double resolution_;
-    Index first_{}, count_{};
+    Index first_{}, count_{}, stride_{};
     std::vector<uint8_t> flags_;
 };
 
@@ -116,22 +120,25 @@ void markSurfaces(const Scene& scene, const View& view, const std::vector<Surfac
     for (const SurfacePoint& point : surface) {
         const TVector3D sight = point.position - origin;
         if (dot(sight, point.normal) >= 0) continue;
+        if (!view.field.contains({dot(sight, forward), dot(sight, left), dot(sight, up)})) continue;
         const double distance = sight.norm();
         if (distance < view.min_range || distance > view.max_range) continue;
-        if (!view.field.contains({dot(sight, forward), dot(sight, left), dot(sight, up)})) continue;
         const auto hit = scene.castRay(origin, sight / distance);
-        if (hit && *hit >= distance - kTouch) cells.markCut(point.position);
+        if (hit && *hit >= distance - kTouch) cells.mark(point.position, kSeenCut);
     }
 }
 
 void markSightLines(const Scene& scene, const View& view, double spacing, SeenCells& cells) {
     const TPoint3D origin = view.sensor.translation();
-    view.field.forEachDirection(spacing, [&](const TVector3D& local) {
+    view.field.forEachDirection(spacing, [&](const TVector3D& local, int doublings) {
+        // Close to the sensor lines crowd: there the coarser grid that leaves this line out, of
+        // twice the spacing, is as dense as need be.
+        const double start = std::ldexp(view.max_range, -1 - doublings);
         const TVector3D direction = view.sensor.rotateVector(local);
         const auto hit = scene.castRay(origin, direction, view.max_range);
         if (!hit || *hit < view.min_range) return;
-        cells.markCrossed(origin, direction, *hit);
-        cells.markCut(origin + direction * *hit);
+        cells.mark(origin + direction * *hit, kSeenCut);
+        if (*hit > start) cells.markCrossed(origin, direction, start, *hit);
     });
 }
 
@@ -142,17 +149,16 @@ std::unique_ptr<octomap::OcTree> visibleTruth(const Scene& scene, const std::vec
     if (!(resolution >= 0.01 && resolution <= 1))
         throw std::runtime_error("truth resolution: " + std::to_string(resolution) +
                                  " m, but it must be from 0.01 to 1");
-    const auto box = scoringBox();
-    const SeenCells unseen(box.min, box.max, resolution);
-
+    SeenCells all(resolution);
     std::vector<SurfacePoint> surface;
     for (const ShapePtr& shape : scene.shapes()) {
         const auto points = shape->surface(resolution / 4);
         surface.insert(surface.end(), points.begin(), points.end());
     }
+    for (const SurfacePoint& point : surface) all.mark(point.position, kCut);
     // Flags only ever get set, so the order of the views and threads does not matter.
     const auto look = [&](std::size_t worker, std::size_t workers) {
-        SeenCells cells = unseen;
+        SeenCells cells(resolution);
         for (std::size_t i = worker; i < views.size(); i += workers) {
             markSurfaces(scene, views[i], surface, cells);
             markSightLines(scene, views[i], resolution / 3 / views[i].max_range, cells);
@@ -163,7 +169,6 @@ std::unique_ptr<octomap::OcTree> visibleTruth(const Scene& scene, const std::vec
     std::vector<std::future<SeenCells>> parts;
     for (std::size_t w = 0; w < workers; w++)
         parts.push_back(std::async(std::launch::async, look, w, workers));
-    SeenCells all = unseen;
     for (auto& part : parts) all.merge(part.get());
     return all.toTree();
 }

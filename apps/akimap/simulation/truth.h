@@ -14,8 +14,8 @@
 namespace akimap::app {
 
 /** What can be known of the scene from the views, without noise: cells cut by a visible surface
- * are occupied, other cells crossed by a sight line that ends on a surface within range are
- * free, all else is unknown. A leaf per cell, clamped, not pruned.
+ * are occupied, cells without any surface crossed by a sight line that ends on a surface within
+ * range are free, all else is unknown. A leaf per cell, clamped, not pruned.
  * \param resolution  side of a cell [m]
  * \exception std::runtime_error unless 0.01 <= resolution <= 1 */
 std::unique_ptr<octomap::OcTree> visibleTruth(const Scene& scene, const std::vector<View>& views,

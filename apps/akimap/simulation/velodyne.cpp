@@ -37,7 +37,7 @@ constexpr double kUnitAngle = 2 * M_PI / kTurnUnits;
 
 /** The payload of a data packet, as it comes from the network. */
 class PacketWriter {
-   public:
+ public:
     void setBlock(int block, int azimuth) {
         put16(blockAt(block), CObservationVelodyneScan::UPPER_BANK);
         put16(blockAt(block) + 2, azimuth);
@@ -63,7 +63,7 @@ class PacketWriter {
         return packet;
     }
 
-   private:
+ private:
     static std::size_t blockAt(int block) {
         return static_cast<std::size_t>(block * CObservationVelodyneScan::SIZE_BLOCK);
     }
@@ -75,16 +75,13 @@ class PacketWriter {
     std::array<uint8_t, CObservationVelodyneScan::PACKET_SIZE> bytes_{};
 };
 
-/** The azimuth of one laser, which fires while the head turns on from the block's own. */
-int laserAzimuth(int block_azimuth, int firing, int laser) {
+/** Where one laser points: the head turns on from the block's azimuth until it fires. Azimuths
+ * count clockwise as seen from above. */
+TVector3D laserDirection(int block_azimuth, int firing, int laser,
+                         const mrpt::obs::VelodyneCalibration::PerLaserCalib& calibration) {
     const double wait = laser * kLaserMicroseconds + firing * kFiringMicroseconds;
-    const auto turned = static_cast<int>(std::lround(kBlockTurn * wait / kBlockMicroseconds));
-    return (block_azimuth + turned) % kTurnUnits;
-}
-
-/** Azimuths count clockwise as seen from above. */
-TVector3D laserDirection(int azimuth, double sine, double cosine) {
-    const double angle = -azimuth * kUnitAngle;
+    const double angle = -kUnitAngle * (block_azimuth + kBlockTurn * wait / kBlockMicroseconds);
+    const double cosine = calibration.cosVertCorrection, sine = calibration.sinVertCorrection;
     return {cosine * std::cos(angle), cosine * std::sin(angle), sine};
 }
 
@@ -106,11 +103,9 @@ void fireBlock(const World& world, const CObservationVelodyneScan& obs, const CP
                Random& random) {
     for (int firing = 0; firing < kFirings; firing++)
         for (int laser = 0; laser < kLasers; laser++) {
-            const auto& calibration =
-                obs.calibration.laser_corrections[static_cast<std::size_t>(laser)];
             const TVector3D direction =
-                laserDirection(laserAzimuth(azimuth, firing, laser),
-                               calibration.sinVertCorrection, calibration.cosVertCorrection);
+                laserDirection(azimuth, firing, laser,
+                               obs.calibration.laser_corrections[static_cast<std::size_t>(laser)]);
             const auto range = measureRange(world, sensor.translation(),
                                             sensor.rotateVector(direction), kMinRange, random);
             if (!range) continue;

@@ -34,7 +34,9 @@ AkiMap& AkiMap::operator=(const AkiMap& o) {
     return *this;
 }
 
-void AkiMap::internal_clear() { setResolution(resolution()); }
+void AkiMap::internal_clear() {
+    setResolution(resolution());
+}
 
 void AkiMap::setResolution(double resolution) {
     grid_ = BlockGrid(resolution);
@@ -75,7 +77,8 @@ mrpt::math::TBoundingBoxf AkiMap::boundingBox() const {
         high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
     });
     const auto corner = [&](const CellIndex& c, double up) {
-        return mrpt::math::TPoint3D(grid_.center(c.x) + up, grid_.center(c.y) + up, grid_.center(c.z) + up)
+        return mrpt::math::TPoint3D(grid_.center(c.x) + up, grid_.center(c.y) + up,
+                                    grid_.center(c.z) + up)
             .cast<float>();
     };
     return {corner(low, -resolution() / 2), corner(high, resolution() / 2)};

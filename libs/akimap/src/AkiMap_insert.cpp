@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "Scratch.h"
@@ -13,7 +16,7 @@ namespace akimap {
 namespace {
 
 class Stopwatch {
-   public:
+ public:
     /** Seconds since the last call, or since this was made. */
     double lap() {
         const auto now = std::chrono::steady_clock::now();
@@ -22,9 +25,16 @@ class Stopwatch {
         return s;
     }
 
-   private:
+ private:
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/** TBB warns on stderr when it is asked for more threads than it allows. */
+int threadsFor(const InsertionParameters& p) {
+    const auto most =
+        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    return static_cast<int>(p.threads ? std::min<std::size_t>(p.threads, most) : most);
+}
 
 /** A kernel must stay within the block keys' margin, and a slip of a unit within the memory. */
 void requireReachWithinGrid(const InsertionParameters& p, double resolution) {
@@ -51,7 +61,7 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     Scratch& s = *scratch_;
 
     bool changed = false;
-    tbb::task_arena arena(p.threads ? static_cast<int>(p.threads) : tbb::task_arena::automatic);
+    tbb::task_arena arena(threadsFor(p));
     arena.execute([&] {
         Stopwatch watch;
         takeSamples(rays, p, grid_, scan_index_, s.taken, s.samples, stats_);
@@ -65,20 +75,28 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     return changed;
 }
 
-bool AkiMap::internal_insertObservation(const mrpt::obs::CObservation& obs,
-                                        const std::optional<const mrpt::poses::CPose3D>& robotPose) {
+bool AkiMap::internal_insertObservation(
+    const mrpt::obs::CObservation& obs,
+    const std::optional<const mrpt::poses::CPose3D>& robotPose) {
     const mrpt::poses::CPose3D fixed = robotPose ? *robotPose : mrpt::poses::CPose3D();
     const RobotPoseAt at_rest = [&](mrpt::Clock::time_point) { return std::optional(fixed); };
     const auto rays = raysOf(obs, moving_pose_ ? *moving_pose_ : at_rest);
     return rays && insertRays(*rays);
 }
 
-bool AkiMap::insertMovingObservation(const mrpt::obs::CObservation& obs, const RobotPoseAt& robot_pose_at) {
-    struct Setting {  // the base's insertObservation() raises the events and heeds the generic options
+bool AkiMap::insertMovingObservation(const mrpt::obs::CObservation& obs,
+                                     const RobotPoseAt& robot_pose_at) {
+    const RobotPoseAt counting = [&](mrpt::Clock::time_point time) {
+        auto pose = robot_pose_at(time);
+        stats_.dropped_poses += !pose;
+        return pose;
+    };
+    struct Setting {  // the base's insertObservation() raises the events and heeds the generic
+                      // options
         const RobotPoseAt*& pose;
         ~Setting() { pose = nullptr; }
     } setting{moving_pose_};
-    moving_pose_ = &robot_pose_at;
+    moving_pose_ = &counting;
     return insertObservation(obs);
 }
 

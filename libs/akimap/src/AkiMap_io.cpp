@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 
 #include "mrpt_compat.h"
@@ -17,17 +18,20 @@
 namespace akimap {
 namespace {
 
+constexpr const char* kCorrupt = "corrupt AkiMap: ";
+
 [[noreturn]] void corrupt(const std::string& what) {
-    throw std::runtime_error("corrupt AkiMap: " + what);
+    throw std::runtime_error(kCorrupt + what);
 }
 
 bool isPlane(const std::array<float, Block::kCells>& plane) {
-    return std::all_of(plane.begin(), plane.end(), [](float v) { return v >= 0 && std::isfinite(v); });
+    return std::all_of(plane.begin(), plane.end(),
+                       [](float v) { return v >= 0 && std::isfinite(v); });
 }
 
 /** A path beside the wanted file, removed again unless it is renamed to it. */
 class FileBeside {
-   public:
+ public:
     explicit FileBeside(std::string file)
         : file_(std::move(file)), beside_(file_ + ".tmp" + std::to_string(getpid())) {}
     ~FileBeside() { std::remove(beside_.c_str()); }
@@ -39,19 +43,22 @@ class FileBeside {
             throw std::runtime_error(file_ + ": can't be written");
     }
 
-   private:
+ private:
     std::string file_, beside_;
 };
 
-/** MRPT's messages carry a trace of the library's insides behind the first line. */
-std::string firstLine(const char* text) {
-    const std::string t(text);
-    return t.substr(0, t.find('\n'));
+/** Our own reason within a message: MRPT wraps it in banners and call stacks. */
+std::string ourReason(const std::string& what) {
+    const auto at = what.find(kCorrupt);
+    return at == std::string::npos ? "damaged, or not a map"
+                                   : what.substr(at, what.find('\n', at) - at);
 }
 
 }  // namespace
 
-uint8_t AkiMap::serializeGetVersion() const { return 0; }
+uint8_t AkiMap::serializeGetVersion() const {
+    return 0;
+}
 
 void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
     out << resolution() << genericMapParams;
@@ -85,7 +92,8 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
         auto block = std::make_unique<Block>();
         in.ReadBufferFixEndianness(block->alpha.data(), block->alpha.size());
         in.ReadBufferFixEndianness(block->beta.data(), block->beta.size());
-        if (!isPlane(block->alpha) || !isPlane(block->beta)) corrupt("a cell is negative or not finite");
+        if (!isPlane(block->alpha) || !isPlane(block->beta))
+            corrupt("a cell is negative or not finite");
         if (block->isEmpty()) corrupt("a block without evidence");
         loaded.grid_.adopt(b, std::move(block));
     }
@@ -94,31 +102,31 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
 
 void AkiMap::saveToFile(const std::string& file) const {
     const FileBeside beside(file);
+    mrpt::io::CFileGZOutputStream f;
+    if (!f.open(beside.path(), 1)) throw std::runtime_error(file + ": can't be opened for writing");
     try {
-        mrpt::io::CFileGZOutputStream f;
-        if (!f.open(beside.path(), 1)) throw std::runtime_error("can't be opened for writing");
         auto archive = mrpt::serialization::archiveFrom(f);
         archive << *this;
         f.close();
-    } catch (const std::exception& e) {
-        throw std::runtime_error(file + ": can't be written: " + firstLine(e.what()));
+    } catch (const std::exception&) {
+        throw std::runtime_error(file + ": can't be written whole; is the disk full?");
     }
     beside.rename();
 }
 
 AkiMap::Ptr AkiMap::loadFromFile(const std::string& file) {
+    if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": no such file");
     try {
         mrpt::io::CFileGZInputStream f;
-        if (!f.open(file)) throw std::runtime_error("can't be opened");
+        if (!f.open(file)) corrupt("it can't be opened");
         auto archive = mrpt::serialization::archiveFrom(f);
-        const auto object = archive.ReadObject();
-        auto map = std::dynamic_pointer_cast<AkiMap>(object);
-        if (!map) throw std::runtime_error("holds no akimap::AkiMap");
+        auto map = std::dynamic_pointer_cast<AkiMap>(archive.ReadObject());
+        if (!map) corrupt("it holds something else");
         char more = 0;
-        if (f.Read(&more, 1) != 0) throw std::runtime_error("has data behind the map");
+        if (f.Read(&more, 1) != 0) corrupt("data behind the map");
         return map;
     } catch (const std::exception& e) {
-        throw std::runtime_error(file + ": not a whole map: " + firstLine(e.what()));
+        throw std::runtime_error(file + ": " + ourReason(e.what()));
     }
 }
 

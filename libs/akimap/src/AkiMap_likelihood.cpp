@@ -17,7 +17,8 @@ bool AkiMap::internal_canComputeObservationLikelihood(const mrpt::obs::CObservat
 double AkiMap::internal_computeObservationLikelihood(const mrpt::obs::CObservation& obs,
                                                      const mrpt::poses::CPose3D& takenFrom) const {
     const LikelihoodParameters& l = likelihoodOptions;
-    const auto rays = raysOf(obs, [&](mrpt::Clock::time_point) { return std::optional(takenFrom); });
+    const auto rays =
+        raysOf(obs, [&](mrpt::Clock::time_point) { return std::optional(takenFrom); });
     if (!rays) return 0;
     double log_likelihood = 0;
     for (std::size_t i = 0; i < rays->size(); i += l.decimation) {

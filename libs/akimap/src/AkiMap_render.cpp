@@ -34,9 +34,10 @@ std::vector<DrawnCell> drawnCells(const AkiMap& map) {
 
 /** Colour by height between the lowest and the highest drawn cell. */
 class HeightColors {
-   public:
+ public:
     explicit HeightColors(const std::vector<DrawnCell>& cells) {
-        for (const auto& c : cells) low_ = std::min(low_, c.center.z), high_ = std::max(high_, c.center.z);
+        for (const auto& c : cells)
+            low_ = std::min(low_, c.center.z), high_ = std::max(high_, c.center.z);
     }
     [[nodiscard]] TColorf operator()(const DrawnCell& c) const {
         if (!c.occupied) return {0.6f, 0.8f, 0.6f, 0.1f};
@@ -47,21 +48,24 @@ class HeightColors {
         return color;
     }
 
-   private:
+ private:
     float low_ = std::numeric_limits<float>::max(), high_ = std::numeric_limits<float>::lowest();
 };
 
-mrpt::opengl::CRenderizable::Ptr asVoxels(const std::vector<DrawnCell>& cells, double side) {
+mrpt::opengl::CRenderizable::Ptr asVoxels(const std::vector<DrawnCell>& cells, double side,
+                                          const mrpt::math::TBoundingBoxf& box) {
     const HeightColors colors(cells);
     auto voxels = COctoMapVoxels::Create();
+    voxels->setBoundingBox(box.min, box.max);  // without it the viewer culls the map as a point
     voxels->resizeVoxelSets(2);
     voxels->setVisualizationMode(COctoMapVoxels::FIXED);
     voxels->showGridLines(false);
     for (const auto& c : cells) {
         const TColorf f = colors(c);
         const TColor color(mrpt::f2u8(f.R), mrpt::f2u8(f.G), mrpt::f2u8(f.B), mrpt::f2u8(f.A));
-        voxels->push_back_Voxel(c.occupied ? mrpt::opengl::VOXEL_SET_OCCUPIED : mrpt::opengl::VOXEL_SET_FREESPACE,
-                                COctoMapVoxels::TVoxel(c.center, side, color));
+        voxels->push_back_Voxel(
+            c.occupied ? mrpt::opengl::VOXEL_SET_OCCUPIED : mrpt::opengl::VOXEL_SET_FREESPACE,
+            COctoMapVoxels::TVoxel(c.center, side, color));
     }
     return voxels;
 }
@@ -84,7 +88,9 @@ void AkiMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const {
     if (!genericMapParams.enableSaveAs3DObject) return;
     const auto cells = drawnCells(*this);
     if (cells.empty()) return;
-    out.insert(cells.size() > renderingOptions.max_voxels ? asPoints(cells) : asVoxels(cells, resolution()));
+    out.insert(cells.size() > renderingOptions.max_voxels
+                   ? asPoints(cells)
+                   : asVoxels(cells, resolution(), boundingBox()));
 }
 
 }  // namespace akimap

@@ -21,8 +21,7 @@ BlockGrid::BlockGrid(double resolution) : resolution_(resolution) {
 
 BlockGrid::BlockGrid(const BlockGrid& o) : resolution_(o.resolution_), index_(o.index_) {
     blocks_.reserve(o.blocks_.size());
-    for (const Slot& s : o.blocks_)
-        blocks_.push_back({s.key, std::make_unique<Block>(*s.block)});
+    for (const Slot& s : o.blocks_) blocks_.push_back({s.key, std::make_unique<Block>(*s.block)});
 }
 
 BlockGrid& BlockGrid::operator=(const BlockGrid& o) {
@@ -61,7 +60,9 @@ void BlockGrid::adopt(const BlockIndex& b, std::unique_ptr<Block> block) {
     blocks_.push_back({packKey(b), std::move(block)});
 }
 
-void BlockGrid::clear() { *this = BlockGrid(resolution_); }
+void BlockGrid::clear() {
+    *this = BlockGrid(resolution_);
+}
 
 std::vector<BlockGrid::BlockIndex> BlockGrid::sortedBlocks() const {
     std::vector<uint64_t> keys;

@@ -41,7 +41,8 @@ void NeighborGrid::build(const float* x, const float* y, const float* z, std::si
     const std::size_t bins = static_cast<std::size_t>(count_[0]) *
                              static_cast<std::size_t>(count_[1]) *
                              static_cast<std::size_t>(count_[2]);
-    start_.assign(bins + 2, 0);  // counted two places up, so that placing leaves each begin in place
+    start_.assign(bins + 2,
+                  0);  // counted two places up, so that placing leaves each begin in place
     for (std::size_t i = 0; i < n; i++) {
         bin_of_[i] = static_cast<uint32_t>((index(i, 2) * count_[1] + index(i, 1)) * count_[0] +
                                            index(i, 0));

@@ -14,7 +14,7 @@ namespace akimap {
 /** Points [m] sorted into cubic bins, bins along x adjacent in memory: a box of bins is a few
  * contiguous runs of points, which suits rows of eight. Concurrent const calls are safe. */
 class NeighborGrid {
-   public:
+ public:
     /** Replaces the contents. \param bin side of a bin [m]; made wider where the points are spread
      * so far that bins would outnumber them many times */
     void build(const float* x, const float* y, const float* z, std::size_t n, float bin);
@@ -30,7 +30,8 @@ class NeighborGrid {
     /** Calls visit(begin, end) for runs in bin order that together hold every point within the
      * box of half side `reach` around (px, py, pz), and others. */
     template <class Visitor>
-    AKIMAP_INLINE void forEachRun(float px, float py, float pz, float reach, Visitor&& visit) const {
+    AKIMAP_INLINE void forEachRun(float px, float py, float pz, float reach,
+                                  Visitor&& visit) const {
         if (order_.empty()) return;
         const Span xs = span(px, reach, 0), ys = span(py, reach, 1), zs = span(pz, reach, 2);
         if (xs.first > xs.last) return;
@@ -43,7 +44,7 @@ class NeighborGrid {
             }
     }
 
-   private:
+ private:
     struct Span {
         int first, last;
     };
@@ -51,7 +52,8 @@ class NeighborGrid {
         // A little wider than reach: rounding must not lose a point on a bin's face.
         const float r = reach * 1.0001f, last = static_cast<float>(count_[axis] - 1);
         const float a = (p - r - lowest_[axis]) * per_bin_, b = (p + r - lowest_[axis]) * per_bin_;
-        return {static_cast<int>(std::max(a, 0.0f)), b < 0 ? -1 : static_cast<int>(std::min(b, last))};
+        return {static_cast<int>(std::max(a, 0.0f)),
+                b < 0 ? -1 : static_cast<int>(std::min(b, last))};
     }
     void chooseBins(const float* const xyz[3], std::size_t n, float bin);
 

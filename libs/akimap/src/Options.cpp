@@ -19,6 +19,10 @@ MRPT_ENUM_TYPE_BEGIN(akimap::SearchRegion)
 MRPT_FILL_ENUM_MEMBER(akimap::SearchRegion, ball);
 MRPT_FILL_ENUM_MEMBER(akimap::SearchRegion, box);
 MRPT_ENUM_TYPE_END()
+MRPT_ENUM_TYPE_BEGIN(akimap::ScaleSearch)
+MRPT_FILL_ENUM_MEMBER(akimap::ScaleSearch, exact);
+MRPT_FILL_ENUM_MEMBER(akimap::ScaleSearch, descent);
+MRPT_ENUM_TYPE_END()
 MRPT_ENUM_TYPE_BEGIN(akimap::CovarianceCenter)
 MRPT_FILL_ENUM_MEMBER(akimap::CovarianceCenter, sample);
 MRPT_FILL_ENUM_MEMBER(akimap::CovarianceCenter, mean);
@@ -27,7 +31,8 @@ MRPT_ENUM_TYPE_END()
 namespace akimap {
 namespace {
 
-[[noreturn]] void reject(const std::string& name, const std::string& value, const std::string& want) {
+[[noreturn]] void reject(const std::string& name, const std::string& value,
+                         const std::string& want) {
     throw std::invalid_argument(name + " = " + value + ": must be " + want);
 }
 
@@ -109,7 +114,7 @@ struct Saver {
             put(name, std::to_string(value), comment);
     }
 
-   private:
+ private:
     void put(const char* name, const std::string& value, const char* comment) const {
         config.write(section, name, value, 20, 10, comment);
     }
@@ -160,6 +165,11 @@ void requireProbability(const char* name, double v) {
     require(v > 0 && v < 1, name, v, "between 0 and 1");
 }
 
+template <class Enum>
+void requireKnown(const char* name, Enum v, Enum last) {
+    require(v <= last, name, static_cast<double>(v), "one of its named values");
+}
+
 }  // namespace
 
 void InsertionParameters::validate() const {
@@ -171,16 +181,16 @@ void InsertionParameters::validate() const {
             "at least a millionth of max_range");
     requireNonNegative("search_range_origin", search_range_origin);
     requirePositive("search_range_max", search_range_max);
-    requirePositive("covariance_floor", covariance_floor);
+    requireNonNegative("covariance_floor", covariance_floor);
     requirePositive("isotropic_length", isotropic_length);
     requireNonNegative("scale_min_length", scale_min_length);
     requirePositive("scale_max", scale_max);
     requirePositive("prior_alpha", prior_alpha);
     requirePositive("prior_beta", prior_beta);
-    require(bandwidth <= Bandwidth::isotropic, "bandwidth", static_cast<double>(bandwidth), "0 to 2");
-    require(search_region <= SearchRegion::box, "search_region", static_cast<double>(search_region), "0 or 1");
-    require(covariance_center <= CovarianceCenter::mean, "covariance_center",
-            static_cast<double>(covariance_center), "0 or 1");
+    requireKnown("bandwidth", bandwidth, Bandwidth::isotropic);
+    requireKnown("search_region", search_region, SearchRegion::box);
+    requireKnown("scale_search", scale_search, ScaleSearch::descent);
+    requireKnown("covariance_center", covariance_center, CovarianceCenter::mean);
 }
 
 void LikelihoodParameters::validate() const {
@@ -189,7 +199,9 @@ void LikelihoodParameters::validate() const {
     requireProbability("p_outlier", p_outlier);
 }
 
-void RenderingParameters::validate() const { requireProbability("threshold", threshold); }
+void RenderingParameters::validate() const {
+    requireProbability("threshold", threshold);
+}
 
 template <class Parameters>
 void LoadableOptions<Parameters>::loadFromConfigFile(const mrpt::config::CConfigFileBase& c,

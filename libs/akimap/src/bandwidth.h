@@ -11,7 +11,7 @@ namespace akimap {
 
 /** A symmetric 3x3 matrix. */
 struct Symmetric3 {
-    float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
 /** Buffers of the bandwidth stage, kept between scans. */
@@ -24,6 +24,11 @@ struct NeighborScratch {
  * The same for any number of threads; runs in the caller's TBB arena. */
 void bandwidths(const Samples& samples, const InsertionParameters& parameters, double resolution,
                 NeighborScratch& scratch, std::vector<Symmetric3>& H);
+
+/** What is added to the covariance's diagonal [m^2]. Without an option it grows with the cell, so
+ * that the thinnest kernel (semi-axis 0.63 cells) still reaches the centres of the cells it lies
+ * in: at 10 cm the authors' 0.001 m^2 leaves holes. */
+[[nodiscard]] double covarianceFloor(const InsertionParameters& p, double resolution);
 
 /** Radius (ball) or half side (box) [m] of the region in which the neighbours of a sample at this
  * distance [m] from its ray origin are sought: linear, from search_range_origin at the sensor to

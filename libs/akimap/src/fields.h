@@ -25,13 +25,17 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
           "[m] >= 0. Neighbour search range at the sensor; 0: one cell");
     visit("search_range_max", o.search_range_max,
           "[m] > 0. Neighbour search range at max_range; linear in between");
-    visit("search_region", o.search_region, "ball | box around a sample");
+    visit("search_region", o.search_region,
+          "box (the paper, and measured better) | ball (the authors' code)");
     visit("covariance_center", o.covariance_center,
           "sample (divided by M - 2) | mean (by M - 1): what the covariance is about");
-    visit("covariance_floor", o.covariance_floor, "[m^2] > 0. Added to the covariance's diagonal");
+    visit("covariance_floor", o.covariance_floor,
+          "[m^2] >= 0. Added to the covariance's diagonal; 0: 0.4 of a cell's face");
     visit("bandwidth", o.bandwidth, "adaptive (the paper) | covariance (no Eq. 7) | isotropic");
     visit("isotropic_length", o.isotropic_length,
           "[m] > 0. Support radius of the kernels if bandwidth = isotropic");
+    visit("scale_search", o.scale_search,
+          "exact | descent (the authors' code): minimiser of Eq. 7");
     visit("scale_min_length", o.scale_min_length,
           "[m] >= 0. Eq. 7 leaves the longest semi-axis at least this; 0: one cell");
     visit("scale_max", o.scale_max, "[-] > 0. Upper bound of the length scale of Eq. 7");

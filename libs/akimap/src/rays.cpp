@@ -18,7 +18,7 @@ using mrpt::poses::CPose3D;
 
 /** Appends rays from one sensor pose to points in the sensor's frame. */
 class RayMaker {
-   public:
+ public:
     RayMaker(const CPose3D& sensor_in_map, std::vector<Ray>& rays)
         : pose_(sensor_in_map), origin_{pose_.x(), pose_.y(), pose_.z()}, rays_(rays) {}
     void add(double x, double y, double z) {
@@ -27,7 +27,7 @@ class RayMaker {
         rays_.push_back(r);
     }
 
-   private:
+ private:
     CPose3D pose_;
     std::array<double, 3> origin_;
     std::vector<Ray>& rays_;
@@ -39,9 +39,9 @@ void addDepthImage(const CObservation3DRangeScan& o, RayMaker& rays) {
     const auto& lut = o.get_unproj_lut();
     const auto n = static_cast<std::size_t>(image.size());
     if (lut.Kxs.size() != n)
-        throw std::runtime_error("CObservation3DRangeScan '" + o.sensorLabel + "': range image of " +
-                                 std::to_string(n) + " pixels, camera model of " +
-                                 std::to_string(lut.Kxs.size()));
+        throw std::runtime_error("CObservation3DRangeScan '" + o.sensorLabel +
+                                 "': range image of " + std::to_string(n) +
+                                 " pixels, camera model of " + std::to_string(lut.Kxs.size()));
     const uint16_t* range = image.data();
     for (std::size_t i = 0; i < n; i++) {
         if (range[i] == 0) continue;
@@ -89,7 +89,7 @@ void addScan(const CObservationRotatingScan& o, RayMaker& rays) {
 
 /** Receives decoded Velodyne points; each packet has a time and so a pose of its own. */
 class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
-   public:
+ public:
     PacketRays(const CPose3D& sensor_on_robot, const AkiMap::RobotPoseAt& robot_pose_at,
                std::vector<Ray>& rays)
         : sensor_on_robot_(sensor_on_robot), robot_pose_at_(robot_pose_at), rays_(rays) {}
@@ -100,7 +100,7 @@ class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
         if (maker_) maker_->add(x, y, z);
     }
 
-   private:
+ private:
     void placeAt(const mrpt::system::TTimeStamp& time) {
         have_time_ = true, time_ = time;
         const auto robot = robot_pose_at_(time);
@@ -135,7 +135,8 @@ void addVelodyne(const CObservationVelodyneScan& o, const AkiMap::RobotPoseAt& r
 
 /** If obs is a T: loads it, adds its rays from the pose at its time, and returns true. */
 template <class T>
-bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at, std::vector<Ray>& rays) {
+bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at,
+           std::vector<Ray>& rays) {
     const auto* o = dynamic_cast<const T*>(&obs);
     if (!o) return false;
     o->load();
@@ -161,7 +162,8 @@ bool givesRays(const CObservation& obs) {
                  CObservation2DRangeScan>(obs);
 }
 
-std::optional<std::vector<Ray>> raysOf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at) {
+std::optional<std::vector<Ray>> raysOf(const CObservation& obs,
+                                       const AkiMap::RobotPoseAt& robot_pose_at) {
     std::vector<Ray> rays;
     if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&obs)) {
         velodyne->load();

@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
 #include <mrpt/config/CConfigFileBase.h>
-#include <mrpt/core/initializer.h>
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 #include <mrpt/rtti/CObject.h>
 
@@ -15,8 +14,8 @@ namespace akimap {
 
 AkiMap::TMapDefinition::TMapDefinition() = default;
 
-void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
-                                                             const std::string& prefix) {
+void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
+    const mrpt::config::CConfigFileBase& source, const std::string& prefix) {
     MRPT_LOAD_CONFIG_VAR(resolution, double, source, prefix + "_creationOpts");
     insertionOpts.loadFromConfigFile(source, prefix + "_insertOpts");
     insertionOpts.loadFromConfigFile(source, prefix + "_insertionOpts");
@@ -32,7 +31,8 @@ void AkiMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) co
     renderingOpts.dumpToTextStream(out);
 }
 
-AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& def) {
+AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& def) {
     const auto& d = dynamic_cast<const AkiMap::TMapDefinition&>(def);
     auto map = AKIMAP_NEW_MAP(d.resolution);
     map->insertionOptions = d.insertionOpts;
@@ -41,9 +41,23 @@ AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(const mrpt::maps:
     return map;
 }
 
+namespace {
+
+/** MRPT also registers each class without its namespace, and reads INI keys without regard to
+ * case: to it `akimap_count = 1` would ask for one map named akimap and for one named AkiMap. */
+void keepOneIniName() {
+    auto& registry = mrpt::maps::internal::TMetricMapTypesRegistry::Instance();
+    using Names =
+        std::remove_const_t<std::remove_reference_t<decltype(registry.getAllRegistered())>>;
+    const_cast<Names&>(registry.getAllRegistered()).erase("AkiMap");
+}
+
+}  // namespace
+
 void registerClasses() {
     static const bool once = [] {
         mrpt::rtti::registerClass(CLASS_ID(AkiMap));
+        keepOneIniName();
         return true;
     }();
     static_cast<void>(once);
@@ -51,4 +65,7 @@ void registerClasses() {
 
 }  // namespace akimap
 
-MRPT_INITIALIZER(registerAkiMap) { akimap::registerClasses(); }
+namespace {
+// On load, and not by MRPT_INITIALIZER: that may run before MAP_DEFINITION_REGISTER above.
+const bool registered_on_load = (akimap::registerClasses(), true);
+}  // namespace

@@ -51,7 +51,7 @@ bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
 
 /** Appends samples, at most one a cell. */
 class Sampler {
-   public:
+ public:
     Sampler(const BlockGrid& grid, KeyTable& taken, Samples& samples)
         : grid_(grid), taken_(taken), samples_(samples) {
         const CellIndex& a = samples.anchor;
@@ -67,7 +67,7 @@ class Sampler {
         return true;
     }
 
-   private:
+ private:
     /** Unique within 2^20 cells of the anchor on each axis. */
     [[nodiscard]] uint64_t keyInScan(const CellIndex& c) const {
         const CellIndex& a = samples_.anchor;
@@ -95,7 +95,8 @@ std::vector<KeptRay> addHits(const std::vector<Ray>& rays, const InsertionParame
     for (const Ray& r : rays) {
         if (!isUsable(r, p, grid, stats)) continue;
         if (!sampler) {  // the first usable ray places the local frame
-            const CellIndex b = BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
+            const CellIndex b =
+                BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
             samples.anchor = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
             sampler.emplace(grid, taken, samples);
         }

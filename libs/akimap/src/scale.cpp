@@ -11,53 +11,106 @@ namespace akimap {
 namespace {
 
 constexpr int kCandidates = 16;
-constexpr double kTolerance = 1e-3;
+constexpr double kTolerance = 1e-5;
 
-float kernelAt(float u) { return u < 1 ? kernelOfSquare(u, 1 - u) : 0.0f; }
+/** Sum of (t - k(r / s))^2 over rows of four; n is a multiple of four. */
+AKIMAP_MULTIVERSION
+double sumOfSquares(const double* r, const double* target, std::size_t n, double s) {
+    const double shrink = 1 / s;
+    DoubleRow sum{};
+    for (std::size_t i = 0; i < n; i += 4) {
+        const DoubleRow radius = {r[i], r[i + 1], r[i + 2], r[i + 3]};
+        const DoubleRow t = {target[i], target[i + 1], target[i + 2], target[i + 3]};
+        const DoubleRow miss = t - kernelOfRadius<DoubleRow>(radius * shrink);
+        sum += miss * miss;
+    }
+    return (sum[0] + sum[2]) + (sum[1] + sum[3]);
+}
 
-double goldenSection(const SupportNeighbors& n, double a, double b) {
+/** Derivative of Eq. (5) by r, with its formula also beyond r = 1, as the authors' code has it. */
+double kernelSlope(double r) {
+    constexpr double kPi = 3.14159265358979323846;
+    return -2.0 / 3 * (kPi * (1 - r) * std::sin(2 * kPi * r) + 1 - std::cos(2 * kPi * r));
+}
+
+}  // namespace
+
+void ScaleProblem::clear() {
+    r_.clear();
+    target_.clear();
+}
+
+void ScaleProblem::add(float u, bool positive) {
+    const double r = std::sqrt(static_cast<double>(u));
+    r_.push_back(r);
+    // By the polynomial, so that an unchanged scale misses no target.
+    target_.push_back(positive ? kernelOfRadius(r) : 0);
+}
+
+double ScaleProblem::objective(double s) const {
+    const std::size_t rows = r_.size() / 4 * 4;
+    double sum = sumOfSquares(r_.data(), target_.data(), rows, s);
+    if (rows < r_.size()) {  // the rest, padded with neighbours that no kernel reaches
+        const double far = 10 * std::max(1.0, s);
+        double r[4] = {far, far, far, far}, target[4] = {};
+        std::copy(r_.begin() + static_cast<std::ptrdiff_t>(rows), r_.end(), r);
+        std::copy(target_.begin() + static_cast<std::ptrdiff_t>(rows), target_.end(), target);
+        sum += sumOfSquares(r, target, 4, s);
+    }
+    return sum / (s * s * s);
+}
+
+double ScaleProblem::polish(double a, double b) const {
     constexpr double kRatio = 0.6180339887498949;
     double c = b - kRatio * (b - a), d = a + kRatio * (b - a);
-    double fc = scaleObjective(n, c), fd = scaleObjective(n, d);
+    double fc = objective(c), fd = objective(d);
     while (b - a > kTolerance) {
         if (fc < fd) {
             b = d, d = c, fd = fc;
-            fc = scaleObjective(n, c = b - kRatio * (b - a));
+            fc = objective(c = b - kRatio * (b - a));
         } else {
             a = c, c = d, fc = fd;
-            fd = scaleObjective(n, d = a + kRatio * (b - a));
+            fd = objective(d = a + kRatio * (b - a));
         }
     }
     return fc < fd ? c : d;
 }
 
-}  // namespace
-
-double scaleObjective(const SupportNeighbors& n, double s) {
-    const float shrink = static_cast<float>(1 / (s * s));
-    double sum = 0;
-    for (const float u : n.positive) {
-        const float miss = kernelAt(u) - kernelAt(u * shrink);
-        sum += miss * miss;
-    }
-    for (const float u : n.negative) {
-        const float k = kernelAt(u * shrink);
-        sum += k * k;
-    }
-    return sum / (s * s * s);
-}
-
-double bestScale(const SupportNeighbors& n, double lowest, double highest) {
+double ScaleProblem::minimise(double lowest, double highest) const {
     if (lowest >= highest) return highest;
     const double step = (highest - lowest) / (kCandidates - 1);
-    double best = highest, value = scaleObjective(n, highest);
-    for (int i = 0; i < kCandidates - 1; i++) {
-        const double s = lowest + i * step, f = scaleObjective(n, s);
+    double best = highest, value = objective(highest);
+    for (int i = kCandidates - 2; i >= 0;
+         i--) {  // of equals, the largest: shrink only for a reason
+        const double s = lowest + i * step, f = objective(s);
         if (f < value) best = s, value = f;
     }
-    const double polished =
-        goldenSection(n, std::max(lowest, best - step), std::min(highest, best + step));
-    return scaleObjective(n, polished) < value ? polished : best;
+    const double polished = polish(std::max(lowest, best - step), std::min(highest, best + step));
+    const double at_polished = objective(polished);
+    if (at_polished == value) return std::max(polished, best);
+    return at_polished < value ? polished : best;
+}
+
+double ScaleProblem::descend(double weight, double lowest) const {
+    constexpr int kEpochs = 100;
+    constexpr double kRate = 0.01, kStill = 1e-3;
+    double s = 1;
+    for (int epoch = 1; epoch <= kEpochs; epoch++) {
+        double squares = 0, slopes = 0;
+        for (std::size_t i = 0; i < r_.size(); i++) {
+            const double miss = target_[i] - kernelExact(r_[i] / s);
+            squares += miss * miss;
+            slopes -= miss * kernelSlope(r_[i] / s) * r_[i] / (s * s);
+        }
+        const double w = weight / (s * s * s);
+        const double gradient = -1.5 * w / s * squares - w * slopes;
+        const double next = std::clamp(s - kRate * gradient / epoch, lowest, 1.0);
+        const bool still = std::abs(gradient) < kStill || 0.5 * w * squares < kStill ||
+                           std::abs(next - s) < kStill;
+        if (still) break;
+        s = next;
+    }
+    return s;
 }
 
 }  // namespace akimap

@@ -2,22 +2,36 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace akimap {
 
-/** The neighbours of a sample inside its kernel's initial support, as squared distances u in
- * the metric of its covariance. */
-struct SupportNeighbors {
-    std::vector<float> positive, negative;
+/** The problem of Eq. (7) for one sample: its neighbours inside the kernel's initial support, by
+ * their distances r from it in the metric of its covariance. Reusable; not thread-safe. */
+class ScaleProblem {
+ public:
+    void clear();
+    [[nodiscard]] bool isEmpty() const { return r_.empty(); }
+    /** \param u squared distance r^2 \param positive whether it has the sample's label */
+    void add(float u, bool positive);
+
+    /** Eq. (7) at the length scale s (H = s^2 * covariance), without the constant factor
+     * |covariance|^(-1/2) / 2. */
+    [[nodiscard]] double objective(double s) const;
+
+    /** The s in [lowest, highest] that minimises Eq. (7): the best of a fixed set of candidates,
+     * polished by golden-section search between its neighbours. */
+    [[nodiscard]] double minimise(double lowest, double highest) const;
+
+    /** The authors' minimiser: gradient descent from s = 1 with a rate of 0.01 / epoch, clamped to
+     * [lowest, 1]. Its gradients reach the thousands, so most runs jump to a bound or stay.
+     * \param weight |covariance|^(-1/2) [m^-3], which scales the gradient */
+    [[nodiscard]] double descend(double weight, double lowest) const;
+
+ private:
+    [[nodiscard]] double polish(double a, double b) const;
+    std::vector<double> r_, target_;  // targets t of Eq. (6)
 };
-
-/** Sum of Eq. (7) at length scale s (H = s^2 * covariance), up to the constant factor
- * |covariance|^(-1/2) / 2. */
-[[nodiscard]] double scaleObjective(const SupportNeighbors& n, double s);
-
-/** The length scale in [lowest, highest] that minimises Eq. (7): the best of a fixed set of
- * candidates, polished by golden-section search between its neighbours. */
-[[nodiscard]] double bestScale(const SupportNeighbors& n, double lowest, double highest);
 
 }  // namespace akimap

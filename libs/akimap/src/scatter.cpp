@@ -19,7 +19,7 @@ Kernel makeKernel(const Symmetric3& h, double x, double y, double z, double reso
     Kernel k{};
     const double per_cell = 1 / resolution, scale = per_cell * per_cell;
     k.x = x * per_cell - 0.5, k.y = y * per_cell - 0.5, k.z = z * per_cell - 0.5;
-    const double yz = h.yz / static_cast<double>(h.zz), xz = h.xz / static_cast<double>(h.zz);
+    const double yz = h.yz / h.zz, xz = h.xz / static_cast<double>(h.zz);
     const double vy = h.yy - yz * h.yz, xy = (h.xy - xz * h.yz) / vy;
     const double vx = h.xx - xz * h.xz - xy * xy * vy;
     k.y_z = yz, k.x_z = xz, k.x_y = xy;
@@ -37,11 +37,18 @@ struct Interval {
           last(static_cast<int>(std::min<double>(std::floor(center + reach), high))) {}
 };
 
-/** Adds one row: cells 0..7 along x from `row_x`, where 1 - u leaves `left` for the x term. */
-AKIMAP_INLINE void addRow(float* cells, double center, float left, float inverse_vx, float weight) {
-    const Row t = kLanes - static_cast<float>(center);
-    const Row g_raw = left - t * t * inverse_vx;
-    const Row g = keep(g_raw > 0.0f, g_raw);
+/** Adds one row of cells, the first of which is at x = 0, of a kernel that cuts the interval
+ * center -+ half out of it. Near its ends 1 - u is a small difference and k the fifth power of it:
+ * the ends are taken relative to a cell near the centre, where floats are densest. */
+AKIMAP_INLINE void addRow(float* cells, double center, double half, float inverse_vx,
+                          float weight) {
+    constexpr Row lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+    const double near = std::floor(center);
+    const float low = static_cast<float>(center - half - near),
+                high = static_cast<float>(center + half - near);
+    const Row t = lanes - static_cast<float>(near);
+    const Row g_signed = (t - low) * (high - t) * inverse_vx;  // negative outside
+    const Row g = keep(g_signed > 0.0f, g_signed);
     storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * weight);
 }
 
@@ -60,7 +67,7 @@ AKIMAP_INLINE void addKernel(const Kernel& k, int bx, int by, int bz, float* pla
             if (left <= 0) continue;
             const double x0 = cx + k.x_z * dz + k.x_y * ey, half = std::sqrt(k.vx * left);
             if (x0 + half <= 0 || x0 - half >= kSide - 1) continue;
-            addRow(plane + Block::offset(0, y, z), x0, static_cast<float>(left), inverse_vx, k.weight);
+            addRow(plane + Block::offset(0, y, z), x0, half, inverse_vx, k.weight);
         }
     }
 }
@@ -82,7 +89,9 @@ void makeKernels(const Samples& samples, const std::vector<Symmetric3>& H, doubl
     });
 }
 
-int blockAt(double cell) { return static_cast<int>(std::floor(cell / kSide)); }
+int blockAt(double cell) {
+    return static_cast<int>(std::floor(cell / kSide));
+}
 
 /** Lists the blocks (relative to the anchor) that each kernel's bounding box meets. */
 void listTouched(ScatterScratch& s) {
@@ -136,8 +145,9 @@ bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid
     tbb::parallel_for(std::size_t{0}, s.keys.size(), [&](std::size_t b) {
         if (!s.blocks[b]) s.fresh[b] = std::make_unique<Block>();
         const CellIndex c = unpackKey(s.keys[b]);
-        addToBlock(s, &s.kernels_of[s.start[b]], &s.kernels_of[s.start[b]] + (s.start[b + 1] - s.start[b]),
-                   samples.occupied, {c.x * kSide, c.y * kSide, c.z * kSide},
+        addToBlock(s, &s.kernels_of[s.start[b]],
+                   &s.kernels_of[s.start[b]] + (s.start[b + 1] - s.start[b]), samples.occupied,
+                   {c.x * kSide, c.y * kSide, c.z * kSide},
                    s.blocks[b] ? *s.blocks[b] : *s.fresh[b]);
         // A bounding box can meet a block that the ellipsoid misses.
         if (s.fresh[b] && s.fresh[b]->isEmpty()) s.fresh[b].reset();

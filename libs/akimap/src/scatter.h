@@ -23,9 +23,9 @@ struct Kernel {
 /** Buffers of the update stage, kept between scans. */
 struct ScatterScratch {
     std::vector<Kernel> kernels;
-    KeyTable touched;                          // block key -> local number
-    std::vector<uint64_t> keys;                // of the touched blocks, in order of first touch
-    std::vector<uint32_t> start, kernels_of;   // kernels that may reach each touched block
+    KeyTable touched;                         // block key -> local number
+    std::vector<uint64_t> keys;               // of the touched blocks, in order of first touch
+    std::vector<uint32_t> start, kernels_of;  // kernels that may reach each touched block
     std::vector<std::pair<uint32_t, uint32_t>> pairs;  // (local block, kernel), kernels ascending
     std::vector<Block*> blocks;
     std::vector<std::unique_ptr<Block>> fresh;  // touched blocks that the grid does not have yet

@@ -10,7 +10,7 @@
 /** Put before a function whose loops run on rows: it is compiled for plain x86-64 and for AVX2,
  * and the machine's best version is taken when the library is loaded. */
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define AKIMAP_MULTIVERSION [[gnu::target_clones("arch=haswell", "default")]]
+#define AKIMAP_MULTIVERSION [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #else
 #define AKIMAP_MULTIVERSION
 #endif
@@ -23,7 +23,8 @@ namespace akimap {
 
 using Row = float __attribute__((vector_size(32)));
 using RowMask = int32_t __attribute__((vector_size(32)));
-constexpr Row kLanes = {0, 1, 2, 3, 4, 5, 6, 7};
+using DoubleRow = double __attribute__((vector_size(32)));
+using DoubleRowMask = int64_t __attribute__((vector_size(32)));
 constexpr RowMask kLaneIndex = {0, 1, 2, 3, 4, 5, 6, 7};
 
 AKIMAP_INLINE Row loadRow(const float* p) {
@@ -35,9 +36,19 @@ AKIMAP_INLINE void storeRow(float* p, Row v) {
     *reinterpret_cast<Unaligned*>(p) = v;
 }
 /** v where the mask is set, 0 elsewhere. */
-AKIMAP_INLINE Row keep(RowMask m, Row v) { return (Row)(m & (RowMask)v); }
-AKIMAP_INLINE float sumOf(Row v) {
-    return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+AKIMAP_INLINE Row keep(RowMask m, Row v) {
+    return (Row)(m & (RowMask)v);
+}
+AKIMAP_INLINE DoubleRow keep(DoubleRowMask m, DoubleRow v) {
+    return (DoubleRow)(m & (DoubleRowMask)v);
+}
+AKIMAP_INLINE double keep(bool m, double v) {
+    return m ? v : 0;
+}
+AKIMAP_INLINE double sumOf(Row v) {
+    double sum = 0;
+    for (int i = 0; i < 8; i++) sum += v[i];
+    return sum;
 }
 
 }  // namespace akimap

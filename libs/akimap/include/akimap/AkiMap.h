@@ -27,6 +27,8 @@ struct InsertionStats {
     uint64_t dropped_zero = 0;       ///< zero-length rays
     uint64_t dropped_range = 0;      ///< nearer than min_range or farther than max_range
     uint64_t dropped_grid = 0;       ///< outside the cells that can be addressed
+    uint64_t dropped_poses =
+        0;  ///< scans, or packets of one, taken when the robot's pose was unknown
     uint64_t samples_occupied = 0, samples_free = 0;  ///< after thinning
     double seconds_sampling = 0, seconds_bandwidth = 0, seconds_update = 0;
 };
@@ -48,7 +50,7 @@ struct CellState {
  * For a given seed the map's bits do not depend on the number of threads. */
 class AkiMap : public mrpt::maps::CMetricMap {
     DEFINE_SERIALIZABLE(AkiMap, akimap)
-   public:
+ public:
     /** \param resolution side of a cell [m] \exception std::invalid_argument unless > 0 */
     explicit AkiMap(double resolution = 0.05);
     ~AkiMap() override;
@@ -72,13 +74,13 @@ class AkiMap : public mrpt::maps::CMetricMap {
     bool insertRays(const std::vector<Ray>& rays);
 
     /** The robot's pose in the map at a time; empty where it is not known. */
-    using RobotPoseAt =
-        std::function<std::optional<mrpt::poses::CPose3D>(mrpt::Clock::time_point)>;
+    using RobotPoseAt = std::function<std::optional<mrpt::poses::CPose3D>(mrpt::Clock::time_point)>;
     /** Like insertObservation(), for a robot that moved during the scan: each Velodyne packet is
      * placed, and its rays begin, where the sensor was when it was taken; packets at times of
      * unknown pose are skipped. Other observations are placed by the pose at their timestamp.
      * \return whether the map changed */
-    bool insertMovingObservation(const mrpt::obs::CObservation& obs, const RobotPoseAt& robot_pose_at);
+    bool insertMovingObservation(const mrpt::obs::CObservation& obs,
+                                 const RobotPoseAt& robot_pose_at);
     [[nodiscard]] const InsertionStats& stats() const { return stats_; }
 
     /** Removes all cells and takes a new cell size [m]. */
@@ -119,7 +121,9 @@ class AkiMap : public mrpt::maps::CMetricMap {
     /** \exception std::runtime_error naming the file if it is missing, damaged or no AkiMap */
     static AkiMap::Ptr loadFromFile(const std::string& file);
 
-   private:
+    struct Scratch;  ///< buffers kept between scans; not part of the map's state
+
+ private:
     void internal_clear() override;
     bool internal_insertObservation(
         const mrpt::obs::CObservation& obs,
@@ -128,8 +132,6 @@ class AkiMap : public mrpt::maps::CMetricMap {
         const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& takenFrom) const override;
     [[nodiscard]] bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& obs) const override;
-
-    struct Scratch;  // buffers kept between scans; not part of the map's state
 
     BlockGrid grid_;
     uint64_t scan_index_ = 0;  // with the seed, the whole random state

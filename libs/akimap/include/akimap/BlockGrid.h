@@ -38,7 +38,7 @@ constexpr int32_t kMaxKernelCells = 1024;
 /** Sparse grid of the sums of Eq. (2)-(3): a hash of dense blocks.
  * Concurrent const calls are safe; a write must be alone. */
 class BlockGrid {
-   public:
+ public:
     /** A block's place: its cells are [8 * index, 8 * index + 8) on each axis. */
     using BlockIndex = CellIndex;
     /** Points outside [-kMaxCell, kMaxCell] cells on any axis can't be inserted: keys have room
@@ -93,7 +93,7 @@ class BlockGrid {
         for (const BlockIndex& b : sortedBlocks()) forEachCellOf(b, *find(b), visit);
     }
 
-   private:
+ private:
     struct Slot {
         uint64_t key;
         std::unique_ptr<Block> block;

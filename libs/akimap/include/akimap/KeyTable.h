@@ -12,7 +12,7 @@ namespace akimap {
 /** Hash table from 64-bit keys to 32-bit values: open addressing with linear probing, at most
  * half full. No erase. Concurrent const calls are safe. */
 class KeyTable {
-   public:
+ public:
     static constexpr uint32_t kNone = UINT32_MAX;
 
     /** The key's value, kNone if absent. */
@@ -43,7 +43,7 @@ class KeyTable {
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] std::size_t memoryBytes() const { return slots_.capacity() * sizeof(Slot); }
 
-   private:
+ private:
     struct Slot {
         uint64_t key = 0;
         uint32_t value = kNone;

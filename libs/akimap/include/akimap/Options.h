@@ -23,6 +23,12 @@ enum class SearchRegion : uint8_t {
     box = 1    ///< half side = the search range (the paper's drawing)
 };
 
+/** How Eq. (7) is minimised. */
+enum class ScaleSearch : uint8_t {
+    exact = 0,   ///< the global minimum within the bounds
+    descent = 1  ///< the authors' gradient descent, which mostly jumps to a bound; for comparison
+};
+
 /** What the second moments of the neighbours are taken about. */
 enum class CovarianceCenter : uint8_t {
     sample = 0,  ///< about the sample itself, divided by M - 2 (the authors' code)
@@ -32,22 +38,25 @@ enum class CovarianceCenter : uint8_t {
 /** The method's constants. Plain data: the rooms of the method know nothing else of the map.
  * The defaults are the paper's, and where the paper is silent its authors' code's. */
 struct InsertionParameters {
-    double min_range = 0;              ///< [m] >= 0. Returns nearer to their own ray origin are dropped
-    double max_range = 8.0;            ///< [m] > min_range. Returns farther away are dropped
-    double sampling_distance = 0.5;    ///< [m] > 0. One free sample in each such stretch of a ray
-    double search_range_origin = 0;    ///< [m] >= 0. Search range at the sensor; 0: one cell
-    double search_range_max = 0.5;     ///< [m] > 0. Search range at max_range; linear in between
-    SearchRegion search_region = SearchRegion::ball;
+    double min_range = 0;    ///< [m] >= 0. Returns nearer to their own ray origin are dropped
+    double max_range = 8.0;  ///< [m] > min_range. Returns farther away are dropped
+    double sampling_distance = 0.5;  ///< [m] > 0. One free sample in each such stretch of a ray
+    double search_range_origin = 0;  ///< [m] >= 0. Search range at the sensor; 0: one cell
+    double search_range_max = 0.5;   ///< [m] > 0. Search range at max_range; linear in between
+    SearchRegion search_region = SearchRegion::box;
     CovarianceCenter covariance_center = CovarianceCenter::sample;
-    double covariance_floor = 1e-3;    ///< [m^2] > 0. Added to the covariance's diagonal
+    double covariance_floor = 0;  ///< [m^2] >= 0. Added to the covariance's diagonal; 0: 0.4 of a
+                                  ///< cell's face, the authors' 0.001 m^2 at 5 cm
     Bandwidth bandwidth = Bandwidth::adaptive;
-    double isotropic_length = 0.2;     ///< [m] > 0. Support radius for bandwidth = isotropic
-    double scale_min_length = 0;       ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this long; 0: one cell
-    double scale_max = 1.0;            ///< [-] > 0. Upper bound of the length scale in Eq. (7)
-    double prior_alpha = 1e-3;         ///< [-] > 0. Beta prior of every cell, occupied (Eq. 2)
-    double prior_beta = 1e-3;          ///< [-] > 0. Beta prior of every cell, free (Eq. 3)
-    uint64_t seed = 1;                 ///< Seed of the free samples' random places
-    uint32_t threads = 0;              ///< 0: all cores. The map does not depend on it
+    double isotropic_length = 0.2;  ///< [m] > 0. Support radius for bandwidth = isotropic
+    ScaleSearch scale_search = ScaleSearch::exact;
+    double scale_min_length =
+        0;  ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this long; 0: one cell
+    double scale_max = 1.0;     ///< [-] > 0. Upper bound of the length scale in Eq. (7)
+    double prior_alpha = 1e-3;  ///< [-] > 0. Beta prior of every cell, occupied (Eq. 2)
+    double prior_beta = 1e-3;   ///< [-] > 0. Beta prior of every cell, free (Eq. 3)
+    uint64_t seed = 1;          ///< Seed of the free samples' random places
+    uint32_t threads = 0;       ///< 0: all cores. The map does not depend on it
 
     /** \exception std::invalid_argument naming the parameter and its value. */
     void validate() const;
@@ -57,7 +66,8 @@ struct InsertionParameters {
 struct LikelihoodParameters {
     uint32_t decimation = 1;  ///< >= 1. Use one return in every `decimation`
     double p_unknown = 0.3;   ///< [-] in (0,1). Occupancy assumed where nothing is known
-    double p_outlier = 0.05;  ///< [-] in (0,1). Share of returns that no map explains: bounds the loss
+    double p_outlier =
+        0.05;  ///< [-] in (0,1). Share of returns that no map explains: bounds the loss
 
     void validate() const;
 };

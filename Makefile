@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# make demo   maps from real and simulated scans, with pictures and an accuracy table, in demo/
+# make test   builds and runs every test
+# make bench  speed, room by room and against MRPT's COctoMap
+# make help   the other targets
+
+# Outside data that some tests and benchmarks use; they skip, saying so, without it.
+AKIMAP_DATA ?= ../shared/data
+export AKIMAP_DATA := $(abspath $(AKIMAP_DATA))
+
+BUILD ?= build
+JOBS ?= 2
+AKIMAP := $(BUILD)/bin/akimap
+CMAKE_FLAGS ?=
+
+PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev mrpt-apps mrpt-common \
+  libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
+  libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri
+
+.PHONY: all deps demo test bench asan tsan format clean help
+.DEFAULT_GOAL := all
+
+all: deps
+	@cmake -S . -B $(BUILD) $(CMAKE_FLAGS) >$(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
+	@mv $(BUILD).log $(BUILD)/configure.log
+	@cmake --build $(BUILD) -j$(JOBS)
+
+# Installs what is missing, and only that.
+deps:
+	@missing=$$(for p in $(PACKAGES); do \
+	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
+	[ -z "$$missing" ] && exit 0; \
+	echo "Missing packages:" $$missing; \
+	if [ "$$(id -u)" = 0 ]; then sudo=; elif command -v sudo >/dev/null; then sudo=sudo; else \
+	    echo "Neither root nor sudo. Have them installed with:"; \
+	    echo "  apt-get install --no-install-recommends" $$missing; exit 1; fi; \
+	echo "Installing them: $$sudo apt-get install --no-install-recommends" $$missing; \
+	$$sudo apt-get update -qq && \
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null
+
+demo: all
+	@share/akimap/demo.sh $(BUILD)/bin demo
+
+test: all
+	@cd $(BUILD) && ctest --output-on-failure -j$(JOBS)
+
+bench: all
+	@$(BUILD)/bin/bench_speed
+	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
+
+asan tsan:
+	@$(MAKE) --no-print-directory test BUILD=build-$@ \
+	    CMAKE_FLAGS="-DCMAKE_BUILD_TYPE=RelWithDebInfo -DAKIMAP_BUILD_BENCHMARKS=OFF \
+	    -DAKIMAP_SANITIZE=$(if $(filter asan,$@),address$(comma)undefined,thread)"
+comma := ,
+
+format:
+	@git ls-files '*.cpp' '*.h' | xargs clang-format -i
+
+clean:
+	@rm -rf build build-asan build-tsan demo
+
+help:
+	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
+	@echo "make test    build and run every test (AKIMAP_DATA=$(AKIMAP_DATA))"
+	@echo "make bench   speed, room by room and against MRPT's COctoMap"
+	@echo "make asan    the tests under AddressSanitizer and UBSan"
+	@echo "make tsan    the tests under ThreadSanitizer"
+	@echo "make format  clang-format every source file"
+	@echo "make clean   remove build*/ and demo/"

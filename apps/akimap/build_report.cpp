@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "build_report.h"
+
+#include <mrpt/core/format.h>
+#include <sys/resource.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <stdexcept>
+
+#include "output/AtomicFile.h"
+
+namespace akimap::app {
+
+namespace {
+
+void row(std::ostream& out, const std::string& name, const std::string& value) {
+    out << mrpt::format("%-38s %14s\n", name.c_str(), value.c_str());
+}
+
+std::string countText(uint64_t count) {
+    return mrpt::format("%llu", static_cast<unsigned long long>(count));
+}
+
+}  // namespace
+
+std::vector<SkipCount> skipCounts(const BuildReport& report) {
+    const InsertionStats& s = report.insertion;
+    std::vector<SkipCount> counts{
+        {"skipped_points_nonfinite", "points not finite", s.dropped_nonfinite},
+        {"skipped_points_zero_length", "points at their ray's origin", s.dropped_zero},
+        {"skipped_points_range", "points out of range", s.dropped_range},
+        {"skipped_points_grid", "points beyond the grid", s.dropped_grid},
+        {"skipped_packets_trajectory", "packets outside the trajectory", s.dropped_poses},
+        {"skipped_scans_empty", "scans without a usable point", report.empty_scans},
+        {"skipped_scans_trajectory", "scans outside the trajectory",
+         report.skipped.outside_trajectory},
+        {"skipped_scans_label", "scans of other sensors", report.skipped.other_label}};
+    for (const auto& [name, count] : report.skipped.unusable)
+        counts.push_back({"skipped_observations_" + name, name + " (unusable)", count});
+    return counts;
+}
+
+void printTable(const BuildReport& report, std::ostream& out) {
+    const InsertionStats& s = report.insertion;
+    row(out, "scans", countText(s.scans));
+    row(out, "points", countText(s.points));
+    row(out, "occupied samples", countText(s.samples_occupied));
+    row(out, "free samples", countText(s.samples_free));
+    row(out, "cells", countText(report.cells));
+    row(out, "map [MB]", mrpt::format("%.1f", static_cast<double>(report.map_bytes) / 1e6));
+    row(out, "insertion time [s]", mrpt::format("%.3f", report.insertion_seconds));
+    bool is_first = true;
+    for (const SkipCount& skip : skipCounts(report)) {
+        if (skip.count == 0) continue;
+        if (is_first) out << "skipped:\n";
+        is_first = false;
+        row(out, "  " + skip.name, countText(skip.count));
+    }
+}
+
+void writeJson(const BuildReport& report, const std::string& file) {
+    const InsertionStats& s = report.insertion;
+    nlohmann::ordered_json json{{"scans", s.scans},
+                                {"points", s.points},
+                                {"samples_occupied", s.samples_occupied},
+                                {"samples_free", s.samples_free},
+                                {"cells", report.cells},
+                                {"map_bytes", report.map_bytes},
+                                {"insertion_seconds", report.insertion_seconds},
+                                {"seconds_sampling", s.seconds_sampling},
+                                {"seconds_bandwidth", s.seconds_bandwidth},
+                                {"seconds_update", s.seconds_update},
+                                {"peak_rss_bytes", report.peak_rss_bytes}};
+    uint64_t unusable = 0;
+    for (const auto& [name, count] : report.skipped.unusable) unusable += count;
+    json["skipped_observations"] = unusable;
+    for (const SkipCount& skip : skipCounts(report)) json[skip.key] = skip.count;
+    AtomicFile target(file);
+    std::ofstream out(target.path());
+    out << json.dump(2) << "\n";
+    out.close();
+    if (!out) throw std::runtime_error(file + ": can't be written");
+    target.commit();
+}
+
+uint64_t peakMemoryBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace akimap::app

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <functional>
+#include <sstream>
+
+#include "output/binary_tree.h"
+#include "output/formats.h"
+#include "output/stream.h"
+
+namespace akimap::app {
+
+namespace {
+
+constexpr int32_t kHalf = 32768;  // OctoMap's keys have 16 bits, with cell 0 in the middle
+
+octomap::OcTreeKey keyOf(const AkiMap& map, const mrpt::math::TPoint3D& center) {
+    const CellIndex c = map.grid().cellAt(center.x, center.y, center.z);
+    for (const int32_t i : {c.x, c.y, c.z})
+        if (i < -kHalf || i >= kHalf) {
+            std::ostringstream why;
+            why << "an OctoMap tree of " << map.resolution() << " m cells ends at +-"
+                << kHalf * map.resolution() << " m, and the map has a cell at " << center.x << ", "
+                << center.y << ", " << center.z;
+            throw std::runtime_error(why.str());
+        }
+    const auto key = [](int32_t i) { return static_cast<octomap::key_type>(i + kHalf); };
+    return {key(c.x), key(c.y), key(c.z)};
+}
+
+/** A tree whose leaves hold the log-odds of the value given for each cell. */
+void fillTree(octomap::OcTree& tree, const AkiMap& map,
+              const std::function<double(double)>& valueOf) {
+    tree.setClampingThresMin(kMinOccupancy);
+    tree.setClampingThresMax(1 - kMinOccupancy);
+    constexpr bool kInnerNodesLater = true;
+    map.forEachCell([&](const mrpt::math::TPoint3D& center, const CellState& cell) {
+        const double value = valueOf(cell.occupancy());
+        tree.setNodeValue(keyOf(map, center), octomap::logodds(value), kInnerNodesLater);
+    });
+    tree.updateInnerOccupancy();
+    tree.prune();
+}
+
+}  // namespace
+
+void writeBt(const AkiMap& map, const std::string& path, const ExportOptions& options) {
+    octomap::OcTree tree(map.resolution());
+    fillTree(tree, map, [&](double occupancy) {
+        return occupancy > options.threshold ? 1 - kMinOccupancy : kMinOccupancy;
+    });
+    std::ofstream out = openForWriting(path);
+    writeBinaryTree(tree, out);
+    closeWritten(out);
+}
+
+void writeOt(const AkiMap& map, const std::string& path) {
+    octomap::OcTree tree(map.resolution());
+    fillTree(tree, map, [](double occupancy) {
+        return std::clamp(occupancy, kMinOccupancy, 1 - kMinOccupancy);
+    });
+    std::ofstream out = openForWriting(path);
+    out.precision(12);
+    tree.write(out);
+    closeWritten(out);
+}
+
+}  // namespace akimap::app

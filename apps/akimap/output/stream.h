@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace akimap::app {
+
+/** \exception std::runtime_error with the system's reason */
+[[nodiscard]] inline std::ofstream openForWriting(const std::string& path) {
+    std::ofstream out(path, std::ios::binary);
+    if (!out) throw std::runtime_error(std::strerror(errno));
+    return out;
+}
+
+/** Closes the stream. \exception std::runtime_error if not everything was written */
+inline void closeWritten(std::ofstream& out) {
+    out.close();
+    if (!out) throw std::runtime_error("not everything could be written (is the disk full?)");
+}
+
+/** Appends the bytes of a number; all our binary formats are little endian, as is every machine
+ * that MRPT's packages are built for. */
+template <class T>
+void appendBytes(std::string& bytes, T value) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    bytes.append(raw, sizeof(T));
+}
+
+}  // namespace akimap::app

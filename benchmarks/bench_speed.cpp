@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+// Insertion time of AkiMap beside MRPT's COctoMap, alternating in one process: quote the ratios.
+
+#include <mrpt/maps/COctoMap.h>
+#include <mrpt/system/CTicTac.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "scenes.h"
+
+using namespace akimap;
+
+namespace {
+
+constexpr int kPairs = 7;
+constexpr double kMaxRange = 8;
+
+double median(std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+}
+
+struct Times {
+    double seconds;
+    InsertionStats stats;
+    double bytes_per_cell;
+};
+
+Times insertIntoAkiMap(const std::vector<bench::PointCloudScan>& scans, unsigned threads) {
+    AkiMap map;
+    map.insertionOptions.threads = threads, map.insertionOptions.max_range = kMaxRange;
+    mrpt::system::CTicTac clock;
+    for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
+    const double seconds = clock.Tac();
+    return {seconds, map.stats(),
+            static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount())};
+}
+
+double insertIntoOctoMap(const std::vector<bench::PointCloudScan>& scans) {
+    mrpt::maps::COctoMap map(0.05);
+    mrpt::system::CTicTac clock;
+    for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
+    return clock.Tac();
+}
+
+void compare(const bench::Scene& scene) {
+    if (scene.scans.empty())
+        return void(std::printf("%s: not in $AKIMAP_DATA, skipped\n", scene.name.c_str()));
+    std::vector<bench::PointCloudScan> scans;
+    for (const auto& scan : scene.within(kMaxRange).scans)
+        scans.push_back(bench::asPointCloud(scan));
+    std::vector<double> octomap, one, two, ratio, speedup;
+    Times last{};
+    insertIntoAkiMap(scans, 1);  // warm up
+    for (int i = 0; i < kPairs; i++) {
+        octomap.push_back(insertIntoOctoMap(scans));
+        last = insertIntoAkiMap(scans, 1);
+        one.push_back(last.seconds);
+        two.push_back(insertIntoAkiMap(scans, 2).seconds);
+        ratio.push_back(one.back() / octomap.back());
+        speedup.push_back(one.back() / two.back());
+    }
+    const auto& s = last.stats;
+    std::printf("%s, %zu scans within %g m, medians of %d rounds\n", scene.name.c_str(),
+                scans.size(), kMaxRange, kPairs);
+    std::printf("  MRPT COctoMap      %.3f s\n", median(octomap));
+    std::printf(
+        "  AkiMap, 1 thread   %.3f s   %.2f x COctoMap's time  (sampling %.3f, bandwidth %.3f, "
+        "update %.3f)\n",
+        median(one), median(ratio), s.seconds_sampling, s.seconds_bandwidth, s.seconds_update);
+    std::printf("  AkiMap, 2 threads  %.3f s   %.2f times as fast as 1\n", median(two),
+                median(speedup));
+    std::printf("  map memory         %.1f bytes a cell with evidence\n", last.bytes_per_cell);
+}
+
+}  // namespace
+
+int main() try {
+    compare(bench::la3dmStructured());
+    compare(bench::simulated(app::SceneKind::structured, 1, 0.05));
+    return 0;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "bench_speed: %s\n", e.what());
+    return 1;
+}

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <akimap/AkiMap.h>
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/opengl/COctoMapVoxels.h>
+#include <mrpt/opengl/CPointCloudColoured.h>
+#include <tbb/global_control.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "random_scans.h"
+#include "run_program.h"
+#include "same_map.h"
+
+using namespace akimap;
+using test::fingerprint;
+
+namespace {
+
+AkiMap smallMap(double resolution = 0.1) {
+    AkiMap map(resolution);
+    for (unsigned seed = 1; seed <= 3; seed++)
+        EXPECT_TRUE(map.insertRays(test::randomScan(seed, 300)));
+    return map;
+}
+
+AkiMap everyOptionChanged() {
+    AkiMap map = smallMap(0.2);
+    auto& o = map.insertionOptions;
+    o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
+    o.search_range_max = 0.6, o.search_region = SearchRegion::box, o.covariance_floor = 2e-3;
+    o.covariance_center = CovarianceCenter::mean, o.bandwidth = Bandwidth::covariance;
+    o.isotropic_length = 0.4, o.scale_min_length = 0.2, o.scale_max = 1.5, o.prior_alpha = 0.01;
+    o.scale_search = ScaleSearch::descent, o.prior_beta = 0.02, o.seed = 77, o.threads = 1;
+    map.likelihoodOptions.decimation = 3, map.likelihoodOptions.p_unknown = 0.4;
+    map.likelihoodOptions.p_outlier = 0.1;
+    map.renderingOptions.threshold = 0.6, map.renderingOptions.show_free = true;
+    map.renderingOptions.max_voxels = 10;
+    map.genericMapParams.enableSaveAs3DObject = false;
+    return map;
+}
+
+AkiMap readBack(const std::string& data) {
+    mrpt::io::CMemoryStream stream;
+    stream.Write(data.data(), data.size());
+    stream.Seek(0);
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    AkiMap map;
+    archive >> map;
+    return map;
+}
+
+}  // namespace
+
+TEST(AkiMap, AnswersEq4AtAPointAndNothingWhereNothingIsKnown) {
+    AkiMap map(0.05);
+    EXPECT_TRUE(map.isEmpty());
+    EXPECT_FALSE(map.occupancy(0, 0, 0));
+    ASSERT_TRUE(map.insertRays({Ray{{0.01, 0.01, 0.01}, {2.02, 0.02, 0.02}}}));
+    EXPECT_FALSE(map.isEmpty());
+    EXPECT_GT(map.occupancy(2.02, 0.02, 0.02).value(), 0.99);
+    EXPECT_LT(map.occupancy(0.01, 0.01, 0.01).value(), 0.01);
+    EXPECT_FALSE(map.occupancy(2.02, 3, 0));
+    EXPECT_FALSE(map.occupancy(1e300, NAN, 0));
+    const CellState s = map.cell(2.02, 0.02, 0.02).value();
+    EXPECT_DOUBLE_EQ(s.beta, 1e-3);  // no free sample reaches it: the prior alone
+    EXPECT_DOUBLE_EQ(s.occupancy(), s.alpha / (s.alpha + s.beta));
+}
+
+TEST(AkiMap, VisitsEachCellThatAQueryKnows) {
+    const AkiMap map = smallMap();
+    std::size_t n = 0, occupied = 0;
+    const auto box = map.boundingBox();
+    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+        n++, occupied += s.occupancy() > 0.5;
+        ASSERT_EQ(map.cell(p.x, p.y, p.z).value().alpha, s.alpha);
+        EXPECT_TRUE(box.containsPoint(p.cast<float>()));
+    });
+    EXPECT_EQ(n, map.cellCount());
+    EXPECT_GT(occupied, 100u);
+    EXPECT_EQ(map.occupiedCells().size(), occupied);
+    EXPECT_GT(map.occupiedCells(0.1).size(), map.occupiedCells(0.9).size());
+}
+
+TEST(AkiMap, BoundingBoxIsTightAndZeroWhenEmpty) {
+    EXPECT_EQ(AkiMap().boundingBox().max, mrpt::math::TPoint3Df(0, 0, 0));
+    AkiMap map(0.5);
+    map.insertRays({Ray{{0.25, 0.25, 0.25}, {4.25, 0.25, 0.25}}});
+    const auto box = map.boundingBox();
+    EXPECT_FLOAT_EQ(box.min.x, 0);
+    EXPECT_FLOAT_EQ(box.max.x, 4.5);
+    EXPECT_FLOAT_EQ(box.max.z, 0.5);
+}
+
+TEST(AkiMap, SameBitsForAnyNumberOfThreads) {
+    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 8);
+    std::string expected;
+    for (const unsigned threads : {1u, 2u, 3u, 8u}) {
+        AkiMap map(0.05);
+        map.insertionOptions.threads = threads;
+        for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 800));
+        if (threads == 1) expected = test::cellsFingerprint(map);
+        EXPECT_EQ(test::cellsFingerprint(map), expected) << threads << " threads";
+    }
+    AkiMap other(0.05);
+    other.insertionOptions.seed = 2;
+    for (unsigned seed = 1; seed <= 3; seed++) other.insertRays(test::randomScan(seed, 800));
+    EXPECT_NE(test::cellsFingerprint(other), expected);
+}
+
+TEST(AkiMap, ScansThatHoldNothingUsableChangeNothing) {
+    AkiMap map = smallMap();
+    const auto before = fingerprint(map);
+    EXPECT_FALSE(map.insertRays({}));
+    EXPECT_FALSE(map.insertRays({Ray{{0, 0, 0}, {NAN, 0, 0}}}));
+    EXPECT_FALSE(map.insertRays({Ray{{0, 0, 0}, {100, 0, 0}}}));
+    EXPECT_EQ(fingerprint(map), before);
+    EXPECT_EQ(map.stats().dropped_nonfinite, 1u);
+}
+
+TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
+    AkiMap map = smallMap();
+    const auto before = test::cellsFingerprint(map);
+    const auto expectRefusal = [&](const std::string& name, auto&& set) {
+        AkiMap copy = map;
+        set(copy.insertionOptions);
+        try {
+            copy.insertRays(test::randomScan(9, 10));
+            ADD_FAILURE() << name << " was taken";
+        } catch (const std::invalid_argument& e) {
+            EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();
+        }
+        EXPECT_EQ(test::cellsFingerprint(copy), before);
+    };
+    expectRefusal("max_range", [](auto& o) { o.max_range = 0; });
+    expectRefusal("max_range", [](auto& o) { o.max_range = NAN; });
+    expectRefusal("min_range", [](auto& o) { o.min_range = -1; });
+    expectRefusal("max_range", [](auto& o) { o.min_range = 9; });
+    expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 0; });
+    expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 1e-12; });
+    expectRefusal("search_range_max", [](auto& o) { o.search_range_max = INFINITY; });
+    expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
+    expectRefusal("covariance_floor", [](auto& o) { o.covariance_floor = -1; });
+    expectRefusal("isotropic_length", [](auto& o) { o.isotropic_length = 1e9; });
+    expectRefusal("prior_beta", [](auto& o) { o.prior_beta = -1; });
+    expectRefusal("bandwidth", [](auto& o) { o.bandwidth = static_cast<Bandwidth>(9); });
+    EXPECT_THROW(AkiMap(0), std::invalid_argument);
+    EXPECT_THROW(map.setResolution(NAN), std::invalid_argument);
+}
+
+TEST(AkiMap, SerializationKeepsEverything) {
+    for (const AkiMap& map : {AkiMap(), smallMap(), everyOptionChanged()}) {
+        EXPECT_EQ(fingerprint(readBack(test::bytes(map))), fingerprint(map));
+    }
+    const AkiMap back = readBack(test::bytes(everyOptionChanged()));
+    EXPECT_EQ(back.insertionOptions.bandwidth, Bandwidth::covariance);
+    EXPECT_EQ(back.insertionOptions.seed, 77u);
+    EXPECT_EQ(back.likelihoodOptions.decimation, 3u);
+    EXPECT_TRUE(back.renderingOptions.show_free);
+    EXPECT_FALSE(back.genericMapParams.enableSaveAs3DObject);
+}
+
+TEST(AkiMap, CopiesGoOnAsTheOriginalWould) {
+    AkiMap original = smallMap();
+    AkiMap constructed = original, assigned, streamed = readBack(test::bytes(original));
+    assigned = original;
+    const auto clone = std::dynamic_pointer_cast<AkiMap>(original.duplicateGetSmartPtr());
+    ASSERT_TRUE(clone);
+    original.insertRays(test::randomScan(9, 200));
+    for (AkiMap* copy : {&constructed, &assigned, &streamed, clone.get()}) {
+        EXPECT_NE(fingerprint(*copy), fingerprint(original));
+        copy->insertRays(test::randomScan(9, 200));  // the same random draws
+        EXPECT_EQ(fingerprint(*copy), fingerprint(original));
+    }
+}
+
+TEST(AkiMap, MultiMetricMapFromAnIniAndItsCopy) {
+    mrpt::config::CConfigFileMemory ini(std::string(
+        "[MappingApplication]\nakimap_count=1\n[MappingApplication_akimap_00_creationOpts]"
+        "\nresolution=0.1\n"
+        "[MappingApplication_akimap_00_insertOpts]\nmax_range=7 // metres\nbandwidth=covariance\n"
+        "[MappingApplication_akimap_00_insertionOpts]\nseed=5 ; MOLA's name of the section\n"
+        "[MappingApplication_akimap_00_renderOpts]\nmax_voxels=5\n"));
+    mrpt::maps::TSetOfMetricMapInitializers initializers;
+    initializers.loadFromConfigFile(ini, "MappingApplication");
+    mrpt::maps::CMultiMetricMap maps(initializers);
+    ASSERT_EQ(maps.maps.size(), 1u);
+    auto map = maps.mapByClass<AkiMap>();
+    EXPECT_EQ(map->resolution(), 0.1);
+    EXPECT_EQ(map->insertionOptions.max_range, 7);
+    EXPECT_EQ(map->insertionOptions.bandwidth, Bandwidth::covariance);
+    EXPECT_EQ(map->insertionOptions.seed, 5u);
+    EXPECT_EQ(map->renderingOptions.max_voxels, 5u);
+    map->insertRays(test::randomScan(1, 300));
+
+    const mrpt::maps::CMultiMetricMap copy = maps;
+    EXPECT_EQ(fingerprint(*copy.mapByClass<AkiMap>()), fingerprint(*map));
+}
+
+TEST(AkiMap, IniWithABadValueThrowsAndNamesIt) {
+    for (const std::string line :
+         {"max_range=abc", "bandwidth=isotropc", "threads=-1", "covariance_floor=-1", "seed=1.5"}) {
+        mrpt::config::CConfigFileMemory ini("[s]\n" + line + "\n");
+        TInsertionOptions o;
+        try {
+            o.loadFromConfigFile(ini, "s");
+            ADD_FAILURE() << line << " was taken";
+        } catch (const std::invalid_argument& e) {
+            EXPECT_NE(std::string(e.what()).find(line.substr(0, line.find('='))), std::string::npos)
+                << e.what();
+        }
+    }
+}
+
+TEST(AkiMap, OptionsSurviveAnIniFile) {
+    const AkiMap changed = everyOptionChanged();
+    mrpt::config::CConfigFileMemory written;
+    changed.insertionOptions.saveToConfigFile(written, "i");
+    changed.likelihoodOptions.saveToConfigFile(written, "l");
+    changed.renderingOptions.saveToConfigFile(written, "r");
+    const mrpt::config::CConfigFileMemory ini(written.getContent());
+    AkiMap read = smallMap(0.2);
+    read.genericMapParams = changed.genericMapParams;
+    read.insertionOptions.loadFromConfigFile(ini, "i");
+    read.likelihoodOptions.loadFromConfigFile(ini, "l");
+    read.renderingOptions.loadFromConfigFile(ini, "r");
+    EXPECT_EQ(fingerprint(read), fingerprint(changed));
+}
+
+TEST(AkiMap, FilesRoundTripAndDamagedOnesAreRefused) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("map.akimap");
+    const AkiMap map = smallMap();
+    map.saveToFile(file);
+    EXPECT_EQ(fingerprint(*AkiMap::loadFromFile(file)), fingerprint(map));
+
+    const std::string whole = readText(file);
+    const auto expectRefused = [&](const std::string& content, const char* what) {
+        writeText(folder.file("bad.akimap"), content);
+        try {
+            (void)AkiMap::loadFromFile(folder.file("bad.akimap"));
+            ADD_FAILURE() << what << " was taken";
+        } catch (const std::runtime_error& e) {
+            EXPECT_NE(std::string(e.what()).find("bad.akimap"), std::string::npos) << e.what();
+            EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos) << e.what();
+        }
+    };
+    expectRefused("", "an empty file");
+    expectRefused("not a map at all", "text");
+    for (const double part : {0.1, 0.5, 0.9, 0.999})
+        expectRefused(
+            whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))),
+            "a cut file");
+    std::string flipped = whole;
+    flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 0x55);
+    expectRefused(flipped, "a damaged file");
+    EXPECT_THROW((void)AkiMap::loadFromFile(folder.file("none")), std::runtime_error);
+    EXPECT_THROW(map.saveToFile(folder.file("no/such/folder/map")), std::runtime_error);
+}
+
+TEST(AkiMap, RepresentationFilesAreWritten) {
+    const TemporaryFolder folder;
+    smallMap().saveMetricMapRepresentationToFile(folder.file("map"));
+    EXPECT_GT(std::filesystem::file_size(folder.file("map_3D.3Dscene")), 1000u);
+    EXPECT_EQ(fingerprint(*AkiMap::loadFromFile(folder.file("map.akimap"))),
+              fingerprint(smallMap()));
+}
+
+TEST(AkiMap, VisualizationDrawsOccupiedCellsAndFallsBackToPoints) {
+    AkiMap map = smallMap();
+    mrpt::opengl::CSetOfObjects voxels;
+    map.getVisualizationInto(voxels);
+    const auto drawn = voxels.getByClass<mrpt::opengl::COctoMapVoxels>();
+    ASSERT_TRUE(drawn);
+    EXPECT_EQ(drawn->getVoxelCount(mrpt::opengl::VOXEL_SET_OCCUPIED), map.occupiedCells().size());
+
+    map.renderingOptions.max_voxels = 10;
+    mrpt::opengl::CSetOfObjects points;
+    map.getVisualizationInto(points);
+    const auto cloud = points.getByClass<mrpt::opengl::CPointCloudColoured>();
+    ASSERT_TRUE(cloud);
+    EXPECT_EQ(cloud->size(), map.occupiedCells().size());
+
+    map.genericMapParams.enableSaveAs3DObject = false;
+    mrpt::opengl::CSetOfObjects none;
+    map.getVisualizationInto(none);
+    EXPECT_TRUE(none.empty());
+}
+
+TEST(AkiMap, ConcurrentReadsAgree) {
+    const AkiMap map = smallMap();
+    std::vector<std::size_t> counts(4);
+    std::vector<std::thread> threads;
+    for (std::size_t t = 0; t < counts.size(); t++)
+        threads.emplace_back([&, t] {
+            map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+                counts[t] += map.cell(p.x, p.y, p.z).has_value();
+            });
+        });
+    for (auto& t : threads) t.join();
+    for (const auto n : counts) EXPECT_EQ(n, map.cellCount());
+}
+
+TEST(AkiMap, MemoryIsBlocksIndexAndSlack) {
+    AkiMap map(0.05);
+    for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 3000));
+    const double per_cell =
+        static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount());
+    EXPECT_LT(per_cell, 32);
+    EXPECT_GE(map.grid().memoryBytes(), map.grid().blockCount() * sizeof(Block));
+}
+
+TEST(AkiMap, ClearForgetsEverythingButTheOptions) {
+    AkiMap map = smallMap(), fresh(0.1);
+    map.clear();
+    EXPECT_TRUE(map.isEmpty());
+    EXPECT_EQ(fingerprint(map), fingerprint(fresh));
+}
