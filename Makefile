@@ -17,13 +17,15 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev mrpt-apps mr
   libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
   libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri
 
-.PHONY: all deps demo test bench asan tsan format clean help
+.PHONY: all configure deps demo test bench asan tsan format clean help
 .DEFAULT_GOAL := all
 
-all: deps
-	@cmake -S . -B $(BUILD) $(CMAKE_FLAGS) >$(BUILD).log 2>&1 || { cat $(BUILD).log; exit 1; }
-	@mv $(BUILD).log $(BUILD)/configure.log
-	@cmake --build $(BUILD) -j$(JOBS)
+all: configure
+	@cmake --build $(BUILD) -j$(JOBS) -- --no-print-directory
+
+configure: deps
+	@mkdir -p $(BUILD)
+	@cmake -S . -B $(BUILD) $(CMAKE_FLAGS) >$(BUILD)/configure.log 2>&1 || { cat $(BUILD)/configure.log; exit 1; }
 
 # Installs what is missing, and only that.
 deps:
@@ -38,21 +40,20 @@ deps:
 	$$sudo apt-get update -qq && \
 	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $$missing >/dev/null
 
-demo: all
+demo: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target akimap_program bench_accuracy -- --no-print-directory
 	@share/akimap/demo.sh $(BUILD)/bin demo
 
 test: all
-	@cd $(BUILD) && ctest --output-on-failure -j$(JOBS)
+	@cd $(BUILD) && ctest --output-on-failure --progress -j$(JOBS)
 
 bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
 
-asan tsan:
-	@$(MAKE) --no-print-directory test BUILD=build-$@ \
-	    CMAKE_FLAGS="-DCMAKE_BUILD_TYPE=RelWithDebInfo -DAKIMAP_BUILD_BENCHMARKS=OFF \
-	    -DAKIMAP_SANITIZE=$(if $(filter asan,$@),address$(comma)undefined,thread)"
-comma := ,
+asan tsan: deps
+	@cmake --preset $@ >/dev/null
+	@$(MAKE) --no-print-directory test BUILD=build-$@
 
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format -i
