@@ -54,11 +54,12 @@ TEST(BlockGrid, VisitsOnlyCellsWithEvidenceInOrder) {
     EXPECT_EQ(grid.countCells(), 2u);
 }
 
-TEST(BlockGrid, CopiesAreDeep) {
+TEST(BlockGrid, CopiesShareBlocksUntilOneWrites) {
     BlockGrid a(0.1);
     a.adopt({0, 0, 0}, blockWith(0, 1));
     BlockGrid b = a;
-    b.find({0, 0, 0})->alpha[0] = 9;
+    EXPECT_EQ(a.find({0, 0, 0}), b.find({0, 0, 0}));
+    b.own({0, 0, 0})->alpha[0] = 9;
     EXPECT_EQ(a.find({0, 0, 0})->alpha[0], 1);
     a = b;
     EXPECT_EQ(a.find({0, 0, 0})->alpha[0], 9);

@@ -8,9 +8,14 @@
 #include <mrpt/opengl/CPointCloudColoured.h>
 #include <tbb/global_control.h>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <filesystem>
+#include <map>
 #include <thread>
 
+#include "fields.h"
 #include "random_scans.h"
 #include "run_program.h"
 #include "same_map.h"
@@ -31,7 +36,7 @@ AkiMap everyOptionChanged() {
     AkiMap map = smallMap(0.2);
     auto& o = map.insertionOptions;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
-    o.search_range_max = 0.6, o.search_region = SearchRegion::box, o.covariance_floor = 2e-3;
+    o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
     o.covariance_center = CovarianceCenter::mean, o.bandwidth = Bandwidth::covariance;
     o.isotropic_length = 0.4, o.scale_min_length = 0.2, o.scale_max = 1.5, o.prior_alpha = 0.01;
     o.scale_search = ScaleSearch::descent, o.prior_beta = 0.02, o.seed = 77, o.threads = 1;
@@ -145,10 +150,23 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
     expectRefusal("covariance_floor", [](auto& o) { o.covariance_floor = -1; });
     expectRefusal("isotropic_length", [](auto& o) { o.isotropic_length = 1e9; });
+    expectRefusal("scale_max", [](auto& o) { o.scale_max = 1e6, o.search_range_max = 1e-5; });
     expectRefusal("prior_beta", [](auto& o) { o.prior_beta = -1; });
     expectRefusal("bandwidth", [](auto& o) { o.bandwidth = static_cast<Bandwidth>(9); });
     EXPECT_THROW(AkiMap(0), std::invalid_argument);
     EXPECT_THROW(map.setResolution(NAN), std::invalid_argument);
+}
+
+TEST(AkiMap, EveryOptionChangedMeansEveryOption) {
+    std::map<std::string, std::string> defaults;
+    const auto text = [](const auto& v) { return std::to_string(static_cast<double>(v)); };
+    const InsertionParameters fresh;
+    visitFields(fresh,
+                [&](const char* name, const auto& v, const char*) { defaults[name] = text(v); });
+    const AkiMap changed = everyOptionChanged();
+    visitFields(changed.insertionOptions, [&](const char* name, const auto& v, const char*) {
+        EXPECT_NE(text(v), defaults[name]) << name;
+    });
 }
 
 TEST(AkiMap, SerializationKeepsEverything) {
@@ -201,8 +219,8 @@ TEST(AkiMap, MultiMetricMapFromAnIniAndItsCopy) {
 }
 
 TEST(AkiMap, IniWithABadValueThrowsAndNamesIt) {
-    for (const std::string line :
-         {"max_range=abc", "bandwidth=isotropc", "threads=-1", "covariance_floor=-1", "seed=1.5"}) {
+    for (const std::string line : {"max_range=abc", "bandwidth=isotropc", "threads=-1",
+                                   "covariance_floor=-1", "seed=1.5", "max_range=0,5"}) {
         mrpt::config::CConfigFileMemory ini("[s]\n" + line + "\n");
         TInsertionOptions o;
         try {
@@ -259,6 +277,50 @@ TEST(AkiMap, FilesRoundTripAndDamagedOnesAreRefused) {
     expectRefused(flipped, "a damaged file");
     EXPECT_THROW((void)AkiMap::loadFromFile(folder.file("none")), std::runtime_error);
     EXPECT_THROW(map.saveToFile(folder.file("no/such/folder/map")), std::runtime_error);
+}
+
+TEST(AkiMap, AFullDiskLeavesTheOlderFile) {
+    const TemporaryFolder folder;
+    const std::string file = folder.file("map.akimap");
+    const AkiMap map = smallMap();
+    map.saveToFile(file);
+    const auto size = std::filesystem::file_size(file);
+    struct rlimit before {};
+    getrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_IGN);
+    for (const std::size_t missing : {size_t{1}, size_t{100}, size_t{4000}, size / 2}) {
+        const struct rlimit small { size - missing, before.rlim_max };
+        setrlimit(RLIMIT_FSIZE, &small);
+        EXPECT_THROW(map.saveToFile(file), std::runtime_error) << missing << " bytes short";
+        setrlimit(RLIMIT_FSIZE, &before);
+        EXPECT_EQ(fingerprint(*AkiMap::loadFromFile(file)), fingerprint(map));
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(AkiMap, ATinyFloorGivesNoNaN) {
+    AkiMap map = smallMap();
+    map.insertionOptions.covariance_floor = 1e-12;
+    for (unsigned seed = 1; seed <= 5; seed++) map.insertRays(test::randomScan(seed, 300));
+    EXPECT_EQ(fingerprint(readBack(test::bytes(map))), fingerprint(map));  // refuses NaN
+}
+
+TEST(AkiMap, KernelsThatReachNoCentreAreNoInsertion) {
+    AkiMap map(0.1);
+    map.insertionOptions.bandwidth = Bandwidth::isotropic;
+    map.insertionOptions.isotropic_length = 1e-3;
+    EXPECT_FALSE(map.insertRays({Ray{{0.01, 0.01, 0.01}, {1.01, 0.01, 0.01}}}));
+    EXPECT_TRUE(map.isEmpty());
+    EXPECT_EQ(map.stats().scans, 0u);
+}
+
+TEST(AkiMap, EveryCellAnswersUpToTheEdgeOfTheGrid) {
+    AkiMap map(0.05);
+    const double edge = (BlockGrid::kMaxCell - 1) * 0.05;
+    ASSERT_TRUE(map.insertRays({Ray{{edge - 3, -edge, 0}, {edge, -edge, 0}}}));
+    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+        EXPECT_TRUE(map.cell(p.x, p.y, p.z));
+    });
 }
 
 TEST(AkiMap, RepresentationFilesAreWritten) {

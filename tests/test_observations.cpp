@@ -11,6 +11,7 @@
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/system/CObserver.h>
 
+#include <cstring>
 #include <set>
 
 #include "random_scans.h"
@@ -235,8 +236,25 @@ TEST(Observations, EachPacketOfAMovingScanHasItsOwnOrigin) {
     };
     std::set<double> origins;
     const auto moved = raysOf(*packets, moving).value();
-    for (const Ray& r : moved) origins.insert(r.origin[0]);
+    const auto still = rays(*packets, CPose3D());
+    ASSERT_EQ(moved.size(), still.size());
+    for (std::size_t i = 0; i < moved.size(); i++) {
+        origins.insert(moved[i].origin[0]);
+        // Moved as a whole: the end as far as the origin.
+        ASSERT_NEAR(moved[i].end[0] - moved[i].origin[0], still[i].end[0] - still[i].origin[0],
+                    1e-6);
+    }
     EXPECT_GT(origins.size(), 50u);  // of 75 packets
+
+    EXPECT_NEAR(*origins.begin() - still[0].origin[0], 0,
+                1e-6);  // the first packet's is the scan's time
+
+    // A cloud decoded by MRPT has no times: the packets have.
+    auto decoded = dynamic_cast<const CObservationVelodyneScan&>(*packets);
+    decoded.generatePointCloud();
+    const auto again = raysOf(decoded, moving, true).value();
+    ASSERT_EQ(again.size(), moved.size());
+    EXPECT_EQ(again.back().origin, moved.back().origin);
 
     const AkiMap::RobotPoseAt unknown = [](mrpt::Clock::time_point) {
         return std::optional<CPose3D>();
@@ -245,6 +263,22 @@ TEST(Observations, EachPacketOfAMovingScanHasItsOwnOrigin) {
     EXPECT_FALSE(map.insertMovingObservation(*packets, unknown));
     EXPECT_EQ(map.stats().dropped_poses, 75u);
     EXPECT_TRUE(map.insertMovingObservation(*packets, moving));
+}
+
+TEST(Observations, NearVelodyneReturnsAreLeftToOurRangeRule) {
+    const auto scan =
+        std::dynamic_pointer_cast<CObservationVelodyneScan>(firstOf("test_velodyne_VLP16.rawlog"));
+    if (!scan) GTEST_SKIP() << "mrpt-common's datasets are not installed";
+    auto near = *scan;
+    near.minRange = 0.1;
+    const std::size_t all = rays(near).size();
+    for (auto& packet : near.scan_packets)
+        for (auto& block : packet.blocks)
+            for (auto& r : block.laser_returns) {
+                const auto quarter = static_cast<uint16_t>(r.distance() / 4);
+                std::memcpy(static_cast<void*>(&r), &quarter, sizeof quarter);  // its first two bytes, little-endian
+            }
+    EXPECT_GT(rays(near).size(), all * 99 / 100);  // MRPT's default would drop all within 1 m
 }
 
 TEST(Observations, EventsAndGenericOptionsAreHonoured) {

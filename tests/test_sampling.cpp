@@ -56,18 +56,17 @@ TEST(Sampling, OneFreeSampleInEachStretchAndOneAtTheOrigin) {
 }
 
 TEST(Sampling, DrawsAreUniform) {
-    double sum = 0, squares = 0;
-    int n = 0;
-    for (uint64_t scan = 0; scan < 4000; scan++) {
-        const Sampled s({Ray{{0, 0, 0}, {0.5, 0.2, 0.1}}}, {}, scan);
-        for (std::size_t i = 2; i < s.samples.size(); i++, n++) {
-            if (s.samples.distance[i] >= 0.5f) continue;
-            sum += s.samples.distance[i], squares += s.samples.distance[i] * s.samples.distance[i];
-        }
+    // The fourth stretch of a 2.1 m ray, [1.5, 2): far from the samples of both ends.
+    constexpr int kScans = 4000, kBins = 10;
+    std::array<int, kBins> counts{};
+    for (uint64_t scan = 0; scan < kScans; scan++) {
+        const Sampled s({Ray{{0, 0, 0}, {2.1, 0, 0}}}, {}, scan);
+        for (const float d : s.samples.distance)
+            if (d >= 1.5f && d < 2.0f) counts[static_cast<std::size_t>((d - 1.5f) / 0.05f)]++;
     }
-    // A draw in the origin's cell is dropped: about uniform over [0.05, 0.5].
-    EXPECT_NEAR(sum / 3600, 0.275, 0.03);
-    EXPECT_GT(n, 3000);
+    double chi_squared = 0;
+    for (const int n : counts) chi_squared += std::pow(n - kScans / kBins, 2) / (kScans / kBins);
+    EXPECT_LT(chi_squared, 27.9);  // 9 degrees of freedom: 0.1 % of uniform draws are above
 }
 
 TEST(Sampling, TheDrawsBeyondTheHitAreThrownAway) {
@@ -114,6 +113,12 @@ TEST(Sampling, RangesAreFromEachRaysOwnOrigin) {
     EXPECT_EQ(s.stats.points, 2u);
     EXPECT_EQ(s.stats.dropped_range, 1u);
     EXPECT_NEAR(s.at(1)[0], 101, 1e-5);
+}
+
+TEST(Sampling, RaysTooFarApartForOneScansKeysAreDropped) {
+    const Sampled s({kAlongX, Ray{{100000, 0, 0}, {100001, 0, 0}}});
+    EXPECT_EQ(s.stats.points, 1u);
+    EXPECT_EQ(s.stats.dropped_grid, 1u);
 }
 
 TEST(Sampling, UnusableRaysAreCountedByReason) {

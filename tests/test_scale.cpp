@@ -72,6 +72,15 @@ TEST(Scale, DescentStaysWithinItsBounds) {
         EXPECT_GE(s, 0.2);
         EXPECT_LE(s, 1.0);
     }
-    const RandomProblem p(1, 10, 3);
-    EXPECT_EQ(p.fast.descend(1e9, 0.2), p.fast.descend(1e9, 0.2));
+}
+
+TEST(Scale, TheDescentsGradientIsThatOfEq7) {
+    // Where every neighbour lies inside the support: beyond it the authors' formula is none.
+    for (unsigned seed = 0; seed < 30; seed++) {
+        const RandomProblem p(seed, 10, 3);
+        constexpr double s = 1.2, h = 1e-5, weight = 700;
+        const double expected =
+            weight / 2 * (p.fast.objective(s + h) - p.fast.objective(s - h)) / (2 * h);
+        EXPECT_NEAR(p.fast.gradient(weight, s), expected, 1e-4 * std::abs(expected) + 1e-3);
+    }
 }

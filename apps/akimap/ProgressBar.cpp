@@ -37,9 +37,13 @@ void ProgressBar::show(std::size_t scans_done) {
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double done = static_cast<double>(std::min(scans_done, scans_));
     const double rate = seconds > 0 ? done / seconds : 0;
-    std::string line = mrpt::system::progress(done / static_cast<double>(scans_), 30) +
-                       mrpt::format(" %zu/%zu scans", scans_done, scans_);
-    if (rate > 0)
+    std::string line;
+    if (scans_ == kUnknown)
+        line = mrpt::format("%zu scans  %.1f scans/s  ", scans_done, rate) + timeText(seconds);
+    else
+        line = mrpt::system::progress(done / static_cast<double>(scans_), 30) +
+               mrpt::format(" %zu/%zu scans", scans_done, scans_);
+    if (scans_ != kUnknown && rate > 0)
         line += mrpt::format("  %.1f scans/s  ", rate) +
                 timeText((static_cast<double>(scans_) - done) / rate) + " left";
     std::cerr << "\r\033[K" << line << std::flush;

@@ -4,13 +4,17 @@
 
 #include <chrono>
 #include <cstddef>
+#include <limits>
 
 namespace akimap::app {
 
 /** A line on stderr that shows how far the scans have come, their rate, and the time left. */
 class ProgressBar {
  public:
-    /** \param enabled and only if stderr is a terminal, anything is shown */
+    static constexpr std::size_t kUnknown = std::numeric_limits<std::size_t>::max();
+
+    /** \param scans all that are to come, maybe kUnknown
+     * \param enabled and only if stderr is a terminal, anything is shown */
     ProgressBar(std::size_t scans, bool enabled);
     ~ProgressBar();  ///< wipes the line, so that what is printed next starts clean
     ProgressBar(const ProgressBar&) = delete;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "build_map.h"
+#include "cli.h"
 #include "commands.h"
 #include "config.h"
 
@@ -38,6 +39,7 @@ void addSetting(CLI::App& command, BuildRequest& request, const std::string& fla
         });
     };
     command.add_option_function<T>(flag, set, text.comment)
+        ->check(std::is_unsigned_v<T> ? CLI::Validator(kWholeNumber) : CLI::Validator())
         ->default_str(text.value)
         ->group(kMapGroup);
 }
@@ -93,11 +95,17 @@ void addInputOptions(CLI::App& command, BuildRequest& request) {
     add("--max-gap", request.max_gap, "[s] > 0. Largest gap bridged between robot poses");
     add("--only", request.only_label, "Take only observations with this sensor label")
         ->type_name("LABEL");
-    add("--first", request.first, "Take only the first so many scans; 0: all");
+    add("--first", request.first, "Take only the first so many scans; 0: all")->check(kWholeNumber);
     command
         .add_flag("--partial", request.partial,
                   "Of a rawlog cut in its last object, take what is whole")
         ->group(kInputGroup);
+    auto* follow = command.add_flag("--follow", request.follow,
+                                    "The last INPUT is a rawlog that is still being written: map "
+                                    "it as it grows, until --idle or ^C, then write the map");
+    follow->group(kInputGroup);
+    add("--idle", request.idle, "[s] > 0. A followed rawlog ends when it has not grown so long")
+        ->needs(follow);
 }
 
 void addOutputOptions(CLI::App& command, BuildRequest& request) {

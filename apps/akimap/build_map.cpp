@@ -11,12 +11,16 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
+#include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "ProgressBar.h"
+#include "StopSignal.h"
 #include "build_report.h"
 #include "config.h"
 #include "errors.h"
+#include "input/FollowSource.h"
 #include "input/RawlogSource.h"
 #include "output/AtomicFile.h"
 #include "output/export_map.h"
@@ -42,11 +46,19 @@ AkiMap makeMapFor(const BuildRequest& request) {
 void checkRequest(const BuildRequest& request) {
     if (!(std::isfinite(request.max_gap) && request.max_gap > 0))
         throw std::runtime_error("--max-gap must be finite and > 0");
+    if (!(std::isfinite(request.idle) && request.idle > 0))
+        throw std::runtime_error("--idle must be finite and > 0");
     std::vector<std::string> outputs = request.exports;
     outputs.push_back(request.output);
     if (!request.json.empty()) outputs.push_back(request.json);
     std::error_code ignored;
+    if (std::filesystem::path(request.output).extension() != ".akimap")
+        throw std::runtime_error(
+            request.output + ": the map's name must end with .akimap (other formats: --export)");
+    std::set<std::string> taken = {request.config, request.trajectory};
     for (const std::string& output : outputs) {
+        if (!taken.insert(output).second && output.rfind("/dev/", 0) != 0)
+            throw std::runtime_error(output + ": would be overwritten, it is named twice");
         AtomicFile::checkWritable(output);
         for (const std::string& input : request.inputs)
             if (std::filesystem::equivalent(input, output, ignored))
@@ -84,8 +96,14 @@ Sources openSources(const BuildRequest& request) {
         options.trajectory = std::make_shared<const RobotPath>(
             RobotPath::loadTum(request.trajectory, request.max_gap));
     Sources sources;
-    for (const std::string& file : request.inputs) sources.push_back(openSource(file, options));
-    if (options.trajectory) requireCoverage(request, *options.trajectory, sources);
+    for (std::size_t i = 0; i < request.inputs.size(); i++) {
+        const bool is_followed = request.follow && i + 1 == request.inputs.size();
+        sources.push_back(is_followed ? followSource(request.inputs[i], options,
+                                                     {request.idle, StopSignal::requested})
+                                      : openSource(request.inputs[i], options));
+    }
+    if (options.trajectory && !request.follow)
+        requireCoverage(request, *options.trajectory, sources);
     return sources;
 }
 
@@ -102,6 +120,7 @@ void insertScans(AkiMap& map, const Sources& sources, const BuildRequest& reques
     const uint64_t wanted = request.first ? request.first : std::numeric_limits<uint64_t>::max();
     uint64_t total = 0, done = 0;
     for (const auto& source : sources) total += source->scanCount();
+    if (request.follow) total = ProgressBar::kUnknown;
     ProgressBar bar(std::min(total, wanted), !request.quiet);
     const auto take = [&](Scan& scan) {
         using Clock = std::chrono::steady_clock;
@@ -144,15 +163,20 @@ void insertScans(AkiMap& map, const Sources& sources, const BuildRequest& reques
 void buildMap(const BuildRequest& request) {
     AkiMap map = makeMapFor(request);
     checkRequest(request);
+    std::optional<StopSignal> stop;
+    if (request.follow) stop.emplace();
     const Sources sources = openSources(request);
     BuildReport report;
     insertScans(map, sources, request, report);
+    stop.reset();
     if (map.isEmpty()) refuseNothing(report, request, sources);
 
     report.cells = map.cellCount();
     report.map_bytes = map.grid().memoryBytes();
-    map.saveToFile(request.output);
-    for (const std::string& file : request.exports) exportMap(map, file);
+    AtomicFile file(request.output);
+    map.saveToFile(file.path());
+    for (const std::string& target : request.exports) exportMap(map, target);
+    file.commit();  // not before the exports: what they refuse leaves an older map as it was
     report.peak_rss_bytes = peakMemoryBytes();
     if (!request.json.empty()) writeJson(report, request.json);
     if (!request.quiet) printTable(report, std::cout);

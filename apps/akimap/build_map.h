@@ -25,6 +25,8 @@ struct BuildRequest {
     std::string only_label;  ///< empty: all sensors
     uint64_t first = 0;      ///< scans to take; 0: all
     bool partial = false;    ///< take what is whole of a cut rawlog
+    bool follow = false;     ///< the last input is a rawlog that is still being written
+    double idle = 10;        ///< [s] it is at its end when it has not grown for so long
 
     std::vector<std::string> exports;
     std::string json;  ///< empty: none

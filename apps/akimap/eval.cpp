@@ -18,7 +18,11 @@ struct EvalRequest {
 
 void run(const EvalRequest& request) {
     const Box box = request.box.empty() ? Box{} : parseBox(request.box);
-    if (!request.json.empty()) AtomicFile::checkWritable(request.json);
+    if (!request.json.empty()) {
+        if (request.json == request.map || request.json == request.truth)
+            throw std::runtime_error(request.json + ": this output is an input too");
+        AtomicFile::checkWritable(request.json);
+    }
     const Truth truth = readTruth(request.truth);
     const auto map = AkiMap::loadFromFile(request.map);
     Evaluation evaluation;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "cli.h"
 #include "commands.h"
 #include "simulation/files.h"
 #include "simulation/simulate.h"
@@ -96,7 +97,8 @@ void addSimulate(CLI::App& app) {
     command->add_option("-o,--output", request->folder, "Folder to write into, made if missing")
         ->required()
         ->type_name("DIR");
-    command->add_option("--seed", request->options.seed, "Seed of noise, poses and random things");
+    command->add_option("--seed", request->options.seed, "Seed of noise, poses and random things")
+        ->check(kWholeNumber);
     command->add_option("--sensor", request->sensor, "Kind of observations")
         ->check(CLI::IsMember(namesOf(kSensors)));
     command->add_option("--noise", request->options.range_noise,

@@ -17,19 +17,36 @@ namespace akimap::app {
 
 using mrpt::serialization::CSerializable;
 
+namespace {
+
+/** A file that is there, plain or gz. */
+class WholeFile : public ByteSource {
+ public:
+    explicit WholeFile(const std::string& file) {
+        requireReadable(file);
+        if (!gz_.open(file)) throw std::runtime_error(file + ": can't be read");
+    }
+    size_t read(void* buffer, size_t count) override {
+        const size_t n = gz_.Read(buffer, count);
+        // zlib's -1 for a wrong checksum or code arrives as a huge unsigned number.
+        if (n > count) throw std::runtime_error("the compressed data are damaged");
+        return n;
+    }
+
+ private:
+    mrpt::io::CFileGZInputStream gz_;
+};
+
+}  // namespace
+
 /** What CArchive needs of a stream. Unlike MRPT's streams it refuses a read that gets fewer bytes
  * than asked for, where CArchive would go on with half-filled numbers and vectors. */
 class ObjectReader::Stream {
  public:
-    explicit Stream(const std::string& file) {
-        if (!gz_.open(file)) throw std::runtime_error(file + ": can't be read");
-    }
+    explicit Stream(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {}
 
     size_t Read(void* buffer, size_t count) {
-        const size_t n = gz_.Read(buffer, count);
-        // zlib's -1 for a wrong checksum or code arrives as a huge unsigned number.
-        damaged = n > count;
-        if (damaged) throw std::runtime_error("the compressed data are damaged");
+        const size_t n = readSome(buffer, count);
         position += n;
         if (n < count) {
             at_end = true;
@@ -41,11 +58,21 @@ class ObjectReader::Stream {
     std::string getStreamDescription() const { return "the file"; }
 
     uint64_t position = 0;  ///< [bytes] unpacked
-    bool at_end = false, damaged = false;
+    bool at_end = false;
+    std::string failure;                  ///< of the source; MRPT may wrap what it throws
     std::vector<uint32_t> object_starts;  ///< low 32 bits of the positions between objects
 
  private:
-    mrpt::io::CFileGZInputStream gz_;
+    size_t readSome(void* buffer, size_t count) {
+        try {
+            return source_->read(buffer, count);
+        } catch (const std::exception& e) {
+            failure = e.what();
+            throw;
+        }
+    }
+
+    std::unique_ptr<ByteSource> source_;
 };
 
 namespace {
@@ -57,10 +84,13 @@ std::string whyUnreadable(const std::string& what) {
 
 }  // namespace
 
-ObjectReader::ObjectReader(const std::string& file) : file_(file) {
-    requireReadable(file);
-    stream_ = std::make_unique<Stream>(file);
-}
+ObjectReader::ObjectReader(const std::string& file)
+    : file_(file),
+      stream_(std::make_unique<Stream>(std::make_unique<WholeFile>(file))),
+      checks_gz_end_(true) {}
+
+ObjectReader::ObjectReader(const std::string& file, std::unique_ptr<ByteSource> source)
+    : file_(file), stream_(std::make_unique<Stream>(std::move(source))), checks_gz_end_(false) {}
 
 ObjectReader::~ObjectReader() = default;
 
@@ -82,13 +112,13 @@ CSerializable::Ptr ObjectReader::next() {
     } catch (const std::bad_alloc&) {
         refuse("it claims an impossible size");
     } catch (const std::exception& e) {
-        if (stream_->damaged) refuse("the compressed data are damaged");
+        if (!stream_->failure.empty()) refuse(stream_->failure);
         if (!stream_->at_end) refuse(whyUnreadable(e.what()));
         if (stream_->position != start)
             throw CutFile(file_ + ": the file ends inside object " + std::to_string(objects_ + 1) +
                           ", at byte " + std::to_string(stream_->position));
     }
-    checkGzEnd();
+    if (checks_gz_end_) checkGzEnd();
     return nullptr;
 }
 

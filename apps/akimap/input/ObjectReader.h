@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "input/ByteSource.h"
+
 namespace akimap::app {
 
 /** The file ends inside an object, or its gz stream does: its writer crashed, or a copy stopped. */
@@ -22,6 +24,8 @@ class ObjectReader {
  public:
     /** \exception std::runtime_error naming the file if it can't be read */
     explicit ObjectReader(const std::string& file);
+    /** Reads the file's bytes from `source`, whose end is taken for the file's. */
+    ObjectReader(const std::string& file, std::unique_ptr<ByteSource> source);
     ~ObjectReader();
 
     /** The next object; null at a clean end.
@@ -39,6 +43,7 @@ class ObjectReader {
 
     std::string file_;
     std::unique_ptr<Stream> stream_;
+    bool checks_gz_end_;
     std::size_t objects_ = 0;
 };
 

@@ -64,9 +64,9 @@ const Entry* find(const Entries& entries, const std::string& key) {
     return found == entries.end() ? nullptr : &found->second;
 }
 
-const Entry& require(const Entries& entries, const std::string& key) {
+const Entry& require(const Entries& entries, const char* key) {
     if (const Entry* entry = find(entries, key)) return *entry;
-    entries.at("DATA").refuse("the header above has no " + key);
+    entries.at("DATA").refuse("the header above has no " + std::string(key));
 }
 
 void readFields(const Entries& entries, PcdHeader& header) {

@@ -16,6 +16,9 @@ using mrpt::serialization::CSerializable;
 RawlogReader::RawlogReader(const std::string& file, bool partial)
     : file_(file), partial_(partial), objects_(file) {}
 
+RawlogReader::RawlogReader(const std::string& file, std::unique_ptr<ByteSource> source)
+    : file_(file), partial_(true), objects_(file, std::move(source)) {}
+
 bool RawlogReader::next(RawlogEntry& entry) {
     while (pending_.empty()) {
         const CSerializable::Ptr object = nextObject();

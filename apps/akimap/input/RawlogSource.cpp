@@ -4,7 +4,6 @@
 
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
-#include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
 
@@ -18,15 +17,6 @@ using mrpt::obs::CObservation;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CObservationRobotPose;
 using mrpt::poses::CPose3D;
-
-namespace {
-
-RobotPath::Sample sampleOf(mrpt::Clock::time_point time, const CPose3D& pose) {
-    const mrpt::poses::CPose3DQuat q(pose);
-    return {time, q.asTPose()};
-}
-
-}  // namespace
 
 /** What the first reading of a log finds; holds no observations. */
 struct RawlogSource::Survey {
@@ -43,9 +33,9 @@ struct RawlogSource::Survey {
         }
         const CObservation& observation = *entry.observation;
         if (const auto* pose = dynamic_cast<const CObservationRobotPose*>(&observation))
-            robot_poses.push_back(sampleOf(pose->timestamp, pose->pose.mean));
+            robot_poses.push_back(RobotPath::sampleOf(pose->timestamp, pose->pose.mean));
         if (const auto* pose = dynamic_cast<const CObservationOdometry*>(&observation))
-            odometry.push_back(sampleOf(pose->timestamp, CPose3D(pose->odometry)));
+            odometry.push_back(RobotPath::sampleOf(pose->timestamp, CPose3D(pose->odometry)));
         if (!isScan(observation)) return;
         labels.insert(observation.sensorLabel);
         if (only_label.empty() || observation.sensorLabel == only_label)
@@ -85,9 +75,7 @@ void RawlogSource::choosePoses(Survey& survey, const InputOptions& options) {
     else if (!survey.odometry.empty())
         trajectory_ = make(survey.odometry);
     else if (!survey.scan_times.empty())
-        options.warn(file() +
-                     ": no robot poses and no odometry in it, and no --trajectory: "
-                     "all its scans are taken from one fixed pose");
+        options.warn(fixedPoseWarning(file()));
 }
 
 void RawlogSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {

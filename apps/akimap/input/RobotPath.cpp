@@ -3,6 +3,7 @@
 #include "input/RobotPath.h"
 
 #include <mrpt/math/slerp.h>
+#include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
 #include <array>
@@ -44,13 +45,6 @@ CPose3D between(const Sample& a, const Sample& b, Time time) {
                    linear(a.pose.z, b.pose.z));
 }
 
-mrpt::Clock::duration toDuration(double seconds) {
-    // One more microsecond, so that samples written every max_gap seconds count as near enough.
-    constexpr double a_century = 3.2e9;
-    return std::chrono::duration_cast<mrpt::Clock::duration>(
-        std::chrono::duration<double>(std::min(seconds, a_century) + 1e-6));
-}
-
 /** The sample on a line of a TUM file. \exception std::runtime_error saying what is wrong */
 Sample parseSample(const std::vector<std::string_view>& words) {
     if (words.size() != 8)
@@ -79,6 +73,25 @@ RobotPath::RobotPath(std::vector<Sample> samples, double max_gap)
     const auto same_time = [](const Sample& a, const Sample& b) { return a.time == b.time; };
     const auto first_kept = std::unique(samples_.rbegin(), samples_.rend(), same_time).base();
     samples_.erase(samples_.begin(), first_kept);
+}
+
+void RobotPath::add(const Sample& sample) {
+    const auto behind = std::upper_bound(samples_.begin(), samples_.end(), sample.time,
+                                         [](Time time, const Sample& s) { return time < s.time; });
+    if (behind != samples_.begin() && std::prev(behind)->time == sample.time)
+        *std::prev(behind) = sample;
+    else
+        samples_.insert(behind, sample);
+}
+
+Sample RobotPath::sampleOf(Time time, const CPose3D& pose) {
+    return {time, mrpt::poses::CPose3DQuat(pose).asTPose()};
+}
+
+mrpt::Clock::duration RobotPath::toDuration(double max_gap) {
+    constexpr double a_century = 3.2e9;
+    return std::chrono::duration_cast<mrpt::Clock::duration>(
+        std::chrono::duration<double>(std::min(max_gap, a_century) + 1e-6));
 }
 
 RobotPath RobotPath::loadTum(const std::string& file, double max_gap) {

@@ -24,6 +24,17 @@ class RobotPath {
      * \param max_gap [s] samples farther apart are not interpolated between */
     RobotPath(std::vector<Sample> samples, double max_gap);
 
+    /** An empty one, to add() to. */
+    explicit RobotPath(double max_gap) : RobotPath({}, max_gap) {}
+    /** Adds a sample, fast if it belongs to the end; one at the same time is replaced. */
+    void add(const Sample& sample);
+
+    [[nodiscard]] static Sample sampleOf(mrpt::Clock::time_point time,
+                                         const mrpt::poses::CPose3D& pose);
+    /** max_gap as at() takes it: a microsecond longer, so that samples written every max_gap
+     * seconds count as near enough. */
+    [[nodiscard]] static mrpt::Clock::duration toDuration(double max_gap);
+
     /** Reads the TUM format: lines of `time x y z qx qy qz qw`, seconds and metres; blank lines
      * and lines that start with '#' are skipped.
      * \exception std::runtime_error naming the file and the line */

@@ -66,6 +66,14 @@ class ScanSource {
     std::string file_;
 };
 
+struct FollowOptions;
+
+/** Opens a .rawlog that is still being written: see FollowSource.
+ * \exception std::runtime_error naming the file */
+[[nodiscard]] std::unique_ptr<ScanSource> followSource(const std::string& file,
+                                                       const InputOptions& options,
+                                                       const FollowOptions& follow);
+
 /** Opens a file by its extension: .rawlog, .simplemap or .pcd.
  * \exception std::runtime_error naming the file */
 [[nodiscard]] std::unique_ptr<ScanSource> openSource(const std::string& file,

@@ -40,4 +40,10 @@ bool isWantedScan(const mrpt::obs::CObservation& observation, const std::string&
     return true;
 }
 
+std::string fixedPoseWarning(const std::string& log_file) {
+    return log_file +
+           ": no robot poses and no odometry in it, and no --trajectory: "
+           "all its scans are taken from one fixed pose";
+}
+
 }  // namespace akimap::app

@@ -16,4 +16,7 @@ namespace akimap::app {
 [[nodiscard]] bool isWantedScan(const mrpt::obs::CObservation& observation,
                                 const std::string& only_label, SkippedScans& skipped);
 
+/** What to say when nothing tells where a log's scans were taken. */
+[[nodiscard]] std::string fixedPoseWarning(const std::string& log_file);
+
 }  // namespace akimap::app

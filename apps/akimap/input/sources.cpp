@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include <filesystem>
 
+#include "input/FollowSource.h"
 #include "input/PcdReader.h"
 #include "input/RawlogSource.h"
 #include "input/ScanSource.h"
@@ -39,6 +40,13 @@ std::unique_ptr<ScanSource> openSource(const std::string& file, const InputOptio
     if (kind == ".simplemap") return std::make_unique<SimplemapSource>(file, options);
     if (kind == ".pcd") return std::make_unique<PcdSource>(file);
     throw std::runtime_error(file + ": not a .rawlog, .simplemap or .pcd file");
+}
+
+std::unique_ptr<ScanSource> followSource(const std::string& file, const InputOptions& options,
+                                         const FollowOptions& follow) {
+    if (kindOf(file) != ".rawlog")
+        throw std::runtime_error(file + ": not a .rawlog, which is what --follow can follow");
+    return std::make_unique<FollowSource>(file, options, follow);
 }
 
 }  // namespace akimap::app

@@ -3,8 +3,12 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfTriangles.h>
 
+#include <zlib.h>
+
 #include <sstream>
 #include <stdexcept>
+#include <type_traits>
+#include <vector>
 
 #include "output/MapCells.h"
 #include "output/faces.h"
@@ -51,6 +55,15 @@ mrpt::opengl::CSetOfTriangles::Ptr unknownSurface(const MapCells& cells, double 
     return surface;
 }
 
+/** A light's share: a color before MRPT 2.7, a number from there on. */
+template <class Share>
+void setShare(Share& share, float brightness) {
+    if constexpr (std::is_same_v<Share, float>)
+        share = brightness;
+    else
+        share = {brightness, brightness, brightness, 1.0f};
+}
+
 void setView(mrpt::opengl::COpenGLScene& scene, const AkiMap& map) {
     const auto box = map.boundingBox();
     const auto center = (box.min + box.max) * 0.5f;
@@ -60,8 +73,18 @@ void setView(mrpt::opengl::COpenGLScene& scene, const AkiMap& map) {
     camera.setAzimuthDegrees(-60);
     camera.setElevationDegrees(45);
     auto& light = scene.getViewport()->lightParameters();
-    light.ambient = {0.5f, 0.5f, 0.5f, 1.0f};  // by default walls in the shade are black
-    light.diffuse = {0.5f, 0.5f, 0.5f, 1.0f};
+    setShare(light.ambient, 0.5f);  // by default walls in the shade are black
+    setShare(light.diffuse, 0.5f);
+}
+
+/** MRPT does not tell whether the last, compressed block found room on the disk. */
+bool isWholeGz(const std::string& path) {
+    const gzFile file = gzopen(path.c_str(), "rb");
+    if (!file) return false;
+    std::vector<char> buffer(1 << 20);
+    int n = 1;
+    while (n > 0) n = gzread(file, buffer.data(), static_cast<unsigned>(buffer.size()));
+    return gzclose(file) == Z_OK && n == 0;
 }
 
 }  // namespace
@@ -79,7 +102,8 @@ void writeScene(const AkiMap& map, const std::string& path, const ExportOptions&
     if (options.unknown && !map.isEmpty())
         scene.insert(unknownSurface(cellsOf(map, options.threshold), map.resolution()));
     setView(scene, map);
-    if (!scene.saveToFile(path)) throw std::runtime_error("the scene could not be written");
+    if (!scene.saveToFile(path) || !isWholeGz(path))
+        throw std::runtime_error("the scene could not be written whole (is the disk full?)");
 }
 
 }  // namespace akimap::app

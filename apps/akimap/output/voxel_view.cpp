@@ -124,7 +124,7 @@ CellSet withoutCeiling(const CellSet& cells, double resolution, double& cut) {
     std::size_t columns = 0;
     std::vector<int32_t> slabs = overhangs(list, (heights.low + heights.high) / 2, 0.3 / resolution,
                                            1.0 / resolution, columns);
-    if (static_cast<double>(slabs.size()) < 0.4 * static_cast<double>(columns)) return cells;
+    if (slabs.empty() || static_cast<double>(slabs.size()) < 0.4 * static_cast<double>(columns)) return cells;
     cut = quantile(slabs, 0.05);
     CellSet below;
     for (const CellIndex& c : list)

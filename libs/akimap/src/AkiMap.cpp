@@ -3,6 +3,7 @@
 #include <akimap/AkiMap.h>
 #include <mrpt/config/CConfigFileBase.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
@@ -38,6 +39,11 @@ void AkiMap::internal_clear() {
     setResolution(resolution());
 }
 
+void AkiMap::auxParticleFilterCleanUp() {
+    surface_cache_.drop();
+    scratch_.reset();
+}
+
 void AkiMap::setResolution(double resolution) {
     grid_ = BlockGrid(resolution);
     scan_index_ = 0;
@@ -45,7 +51,7 @@ void AkiMap::setResolution(double resolution) {
 }
 
 std::optional<CellState> AkiMap::cell(double x, double y, double z) const {
-    if (!grid_.covers(x, y, z)) return std::nullopt;
+    if (!grid_.hasCell(x, y, z)) return std::nullopt;
     const CellIndex c = grid_.cellAt(x, y, z);
     const Block* block = grid_.find(BlockGrid::blockOf(c));
     const int i = BlockGrid::offsetOf(c);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 #include "Scratch.h"
@@ -36,18 +37,24 @@ int threadsFor(const InsertionParameters& p) {
     return static_cast<int>(p.threads ? std::min<std::size_t>(p.threads, most) : most);
 }
 
-/** A kernel must stay within the block keys' margin, and a slip of a unit within the memory. */
+/** A kernel must stay within the block keys' margin, and a slip of a unit within the memory: the
+ * farthest that each option lets a kernel reach from its sample. */
 void requireReachWithinGrid(const InsertionParameters& p, double resolution) {
+    if (resolution > p.max_range)
+        throw std::invalid_argument("resolution: a cell must not be larger than max_range");
+    const double scale = std::max(1.0, p.scale_max);
     const auto require = [&](const char* name, double reach) {
-        if (reach > kMaxKernelCells * resolution)
-            throw std::invalid_argument(std::string(name) + " reaches over more than " +
-                                        std::to_string(kMaxKernelCells) + " cells of " +
-                                        std::to_string(resolution) + " m");
+        if (reach <= kMaxKernelCells * resolution) return;
+        std::ostringstream text;
+        text << name << ": kernels could reach " << reach << " m, more than " << kMaxKernelCells
+             << " cells of " << resolution << " m";
+        throw std::invalid_argument(text.str());
     };
-    // A covariance about the sample, over M - 2, exceeds the squared range by at most 3 times.
-    require("search_range_max", 2 * p.search_range_max * std::max(1.0, p.scale_max));
-    require("search_range_origin", 2 * p.search_range_origin * std::max(1.0, p.scale_max));
-    require("covariance_floor", 2 * std::sqrt(p.covariance_floor) * std::max(1.0, p.scale_max));
+    // A covariance about the sample, over M - 2 with M = 3, is twice the square of the range on
+    // each axis.
+    const double range = std::max(p.search_range_max, std::max(p.search_range_origin, resolution));
+    require("search_range_max, search_range_origin and scale_max", scale * std::sqrt(2.0) * range);
+    require("covariance_floor and scale_max", scale * std::sqrt(covarianceFloor(p, resolution)));
     require("isotropic_length", p.isotropic_length);
 }
 
@@ -61,16 +68,18 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     Scratch& s = *scratch_;
 
     bool changed = false;
+    InsertionStats stats = stats_;  // taken over when nothing can throw any more
     tbb::task_arena arena(threadsFor(p));
     arena.execute([&] {
         Stopwatch watch;
-        takeSamples(rays, p, grid_, scan_index_, s.taken, s.samples, stats_);
-        stats_.seconds_sampling += watch.lap();
+        takeSamples(rays, p, grid_, scan_index_, s.taken, s.samples, stats);
+        stats.seconds_sampling += watch.lap();
         bandwidths(s.samples, p, resolution(), s.neighbors, s.H);
-        stats_.seconds_bandwidth += watch.lap();
+        stats.seconds_bandwidth += watch.lap();
         changed = scatter(s.samples, s.H, grid_, s.scatter);
-        stats_.seconds_update += watch.lap();
+        stats.seconds_update += watch.lap();
     });
+    stats_ = stats;
     if (changed) ++scan_index_, ++stats_.scans;
     return changed;
 }
@@ -80,7 +89,7 @@ bool AkiMap::internal_insertObservation(
     const std::optional<const mrpt::poses::CPose3D>& robotPose) {
     const mrpt::poses::CPose3D fixed = robotPose ? *robotPose : mrpt::poses::CPose3D();
     const RobotPoseAt at_rest = [&](mrpt::Clock::time_point) { return std::optional(fixed); };
-    const auto rays = raysOf(obs, moving_pose_ ? *moving_pose_ : at_rest);
+    const auto rays = moving_pose_ ? raysOf(obs, *moving_pose_, true) : raysOf(obs, at_rest);
     return rays && insertRays(*rays);
 }
 

@@ -7,10 +7,10 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <stdexcept>
 
 #include "mrpt_compat.h"
@@ -25,8 +25,9 @@ constexpr const char* kCorrupt = "corrupt AkiMap: ";
 }
 
 bool isPlane(const std::array<float, Block::kCells>& plane) {
-    return std::all_of(plane.begin(), plane.end(),
-                       [](float v) { return v >= 0 && std::isfinite(v); });
+    bool all = true;  // without a way out, so that it runs on whole rows
+    for (const float v : plane) all &= v >= 0 && v <= std::numeric_limits<float>::max();
+    return all;
 }
 
 /** A path beside the wanted file, removed again unless it is renamed to it. */
@@ -46,6 +47,17 @@ class FileBeside {
  private:
     std::string file_, beside_;
 };
+
+/** Whether a gz file of so many bytes was written to its end: it closes with their number, modulo
+ * 2^32, little-endian. */
+bool isWhole(const std::string& gz_file, uint64_t bytes) {
+    std::ifstream in(gz_file, std::ios::binary);
+    in.seekg(-4, std::ios::end);
+    uint32_t size = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+        size |= static_cast<uint32_t>(in.get() & 0xff) << shift;
+    return in.good() && size == static_cast<uint32_t>(bytes);
+}
 
 /** Our own reason within a message: MRPT wraps it in banners and call stacks. */
 std::string ourReason(const std::string& what) {
@@ -89,28 +101,33 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
         if (!BlockGrid::isAddressable(b)) corrupt("a block lies outside the grid");
         if (!loaded.isEmpty() && packKey(b) <= previous) corrupt("its blocks are out of order");
         previous = packKey(b);
-        auto block = std::make_unique<Block>();
+        const std::shared_ptr<Block> block(new Block);  // uninitialized
         in.ReadBufferFixEndianness(block->alpha.data(), block->alpha.size());
         in.ReadBufferFixEndianness(block->beta.data(), block->beta.size());
         if (!isPlane(block->alpha) || !isPlane(block->beta))
             corrupt("a cell is negative or not finite");
         if (block->isEmpty()) corrupt("a block without evidence");
-        loaded.grid_.adopt(b, std::move(block));
+        loaded.grid_.adopt(b, block);
     }
     *this = std::move(loaded);
 }
 
 void AkiMap::saveToFile(const std::string& file) const {
     const FileBeside beside(file);
-    mrpt::io::CFileGZOutputStream f;
-    if (!f.open(beside.path(), 1)) throw std::runtime_error(file + ": can't be opened for writing");
+    uint64_t written = 0;
     try {
+        mrpt::io::CFileGZOutputStream f;
+        if (!f.open(beside.path(), 1)) throw std::runtime_error("can't be opened");
         auto archive = mrpt::serialization::archiveFrom(f);
         archive << *this;
+        written = f.getPosition();
         f.close();
     } catch (const std::exception&) {
-        throw std::runtime_error(file + ": can't be written whole; is the disk full?");
+        throw std::runtime_error(file + ": can't be written");
     }
+    // MRPT's stream does not tell whether its last, compressed block found room on the disk.
+    if (!isWhole(beside.path(), written))
+        throw std::runtime_error(file + ": can't be written whole; is the disk full?");
     beside.rename();
 }
 
@@ -124,7 +141,10 @@ AkiMap::Ptr AkiMap::loadFromFile(const std::string& file) {
         if (!map) corrupt("it holds something else");
         char more = 0;
         if (f.Read(&more, 1) != 0) corrupt("data behind the map");
+        if (!isWhole(file, f.getPosition())) corrupt("its end is missing");
         return map;
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& e) {
         throw std::runtime_error(file + ": " + ourReason(e.what()));
     }

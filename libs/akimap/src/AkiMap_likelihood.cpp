@@ -2,35 +2,56 @@
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "hit_model.h"
 #include "rays.h"
+#include "returns.h"
 
 namespace akimap {
+namespace {
+
+/** Sum of the logarithms of probabilities, with few logarithms taken. */
+class LogProduct {
+ public:
+    void multiply(double p) {
+        if (p < kSmall) return void(log_ += std::log(p));
+        product_ *= p;
+        if (product_ < kSmall) log_ += std::log(product_), product_ = 1;
+    }
+    [[nodiscard]] double value() const { return log_ + std::log(product_); }
+
+ private:
+    static constexpr double kSmall = 1e-150;  // its square is still a number
+    double log_ = 0, product_ = 1;
+};
+
+}  // namespace
 
 bool AkiMap::internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& obs) const {
     return givesRays(obs);
 }
 
-/** End points: each return is explained by the cell it ends in, of occupancy p, or by an outlier.
- * Unknown cells count p_unknown, so that a pose gains nothing by looking past the map's edge. */
+/** Each return is a hit on the map near its end (HitModel), or an outlier. Which returns are used
+ * does not depend on the pose, so that no pose gains by looking away. */
 double AkiMap::internal_computeObservationLikelihood(const mrpt::obs::CObservation& obs,
                                                      const mrpt::poses::CPose3D& takenFrom) const {
     const LikelihoodParameters& l = likelihoodOptions;
-    const auto rays =
-        raysOf(obs, [&](mrpt::Clock::time_point) { return std::optional(takenFrom); });
-    if (!rays) return 0;
-    double log_likelihood = 0;
-    for (std::size_t i = 0; i < rays->size(); i += l.decimation) {
-        const auto& [origin, end] = (*rays)[i];
-        const double range = std::hypot(end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]);
+    HitModel model(grid_, {insertionOptions.prior_alpha, insertionOptions.prior_beta}, l);
+    LogProduct product;
+    double used = 0;
+    forEachReturn(obs, takenFrom, std::max(1u, l.decimation), [&](const Ray& ray) {
+        const double dx = ray.end[0] - ray.origin[0], dy = ray.end[1] - ray.origin[1],
+                     dz = ray.end[2] - ray.origin[2];
+        const double range = std::sqrt(dx * dx + dy * dy + dz * dz);
         const bool usable = range > 0 && range >= insertionOptions.min_range &&
                             range <= insertionOptions.max_range;  // false for NaN too
-        if (!usable) continue;
-        const double p = occupancy(end[0], end[1], end[2]).value_or(l.p_unknown);
-        log_likelihood += std::log((1 - l.p_outlier) * p + l.p_outlier);
-    }
-    return log_likelihood;
+        if (!usable) return;
+        product.multiply((1 - l.p_outlier) * model.hit(ray, range) + l.p_outlier);
+        ++used;
+    });
+    return used > 0 ? product.value() * std::min(1.0, l.independent_returns / used) : 0;
 }
 
 }  // namespace akimap

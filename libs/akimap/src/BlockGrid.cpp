@@ -3,6 +3,8 @@
 #include <akimap/BlockGrid.h>
 
 #include <algorithm>
+#include <atomic>
+#include <sstream>
 #include <stdexcept>
 
 namespace akimap {
@@ -14,19 +16,10 @@ bool Block::isEmpty() const {
 }
 
 BlockGrid::BlockGrid(double resolution) : resolution_(resolution) {
-    if (!(resolution > 0) || !std::isfinite(resolution))
-        throw std::invalid_argument("resolution must be finite and > 0, not " +
-                                    std::to_string(resolution));
-}
-
-BlockGrid::BlockGrid(const BlockGrid& o) : resolution_(o.resolution_), index_(o.index_) {
-    blocks_.reserve(o.blocks_.size());
-    for (const Slot& s : o.blocks_) blocks_.push_back({s.key, std::make_unique<Block>(*s.block)});
-}
-
-BlockGrid& BlockGrid::operator=(const BlockGrid& o) {
-    if (this != &o) *this = BlockGrid(o);
-    return *this;
+    if (resolution > 0 && std::isfinite(resolution)) return;
+    std::ostringstream text;
+    text << "resolution = " << resolution << ": must be finite and > 0";
+    throw std::invalid_argument(text.str());
 }
 
 std::size_t BlockGrid::countCells() const {
@@ -41,21 +34,29 @@ std::size_t BlockGrid::memoryBytes() const {
            blocks_.size() * sizeof(Block);
 }
 
-bool BlockGrid::covers(double x, double y, double z) const {
-    const double limit = kMaxCell * resolution_;
-    return std::abs(x) < limit && std::abs(y) < limit && std::abs(z) < limit;
-}
-
 const Block* BlockGrid::find(const BlockIndex& b) const {
     const uint32_t place = index_.find(packKey(b));
     return place == KeyTable::kNone ? nullptr : blocks_[place].block.get();
 }
 
-Block* BlockGrid::find(const BlockIndex& b) {
-    return const_cast<Block*>(std::as_const(*this).find(b));
+Block* BlockGrid::own(const BlockIndex& b) {
+    const uint32_t place = index_.find(packKey(b));
+    if (place == KeyTable::kNone) return nullptr;
+    std::shared_ptr<Block>& block = blocks_[place].block;
+    if (block.use_count() > 1) block = std::make_shared<Block>(*block);
+    // A copy that let go of it in another thread has read from it before.
+    std::atomic_thread_fence(std::memory_order_acquire);
+    return block.get();
 }
 
-void BlockGrid::adopt(const BlockIndex& b, std::unique_ptr<Block> block) {
+void BlockGrid::reserve(std::size_t blocks) {
+    if (blocks > blocks_.capacity())
+        blocks_.reserve(std::max(blocks, blocks_.size() + blocks_.size() / 8));
+    index_.reserve(blocks);
+}
+
+void BlockGrid::adopt(const BlockIndex& b, std::shared_ptr<Block> block) {
+    reserve(blocks_.size() + 1);
     index_.insert(packKey(b), static_cast<uint32_t>(blocks_.size()));
     blocks_.push_back({packKey(b), std::move(block)});
 }

@@ -4,9 +4,12 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/typemeta/TEnumType.h>
 
+#include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 #include "fields.h"
 
@@ -36,26 +39,18 @@ namespace {
     throw std::invalid_argument(name + " = " + value + ": must be " + want);
 }
 
-void parse(const std::string& name, const std::string& text, double& value) {
-    char* end = nullptr;
-    const double v = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') reject(name, "'" + text + "'", "a number");
+/** In the C locale, whatever the program's is. */
+template <class Number>
+std::enable_if_t<std::is_arithmetic_v<Number>> parse(const std::string& name,
+                                                     const std::string& text, Number& value) {
+    const char* const end = text.data() + text.size();
+    const char* const begin = text.data() + (text.size() > 1 && text[0] == '+');
+    Number v{};
+    const auto [stop, error] = std::from_chars(begin, end, v);
+    if (error != std::errc() || stop != end)
+        reject(name, "'" + text + "'",
+               std::is_integral_v<Number> ? "a whole number >= 0, and not too large" : "a number");
     value = v;
-}
-template <class Unsigned>
-void parseUnsigned(const std::string& name, const std::string& text, Unsigned& value) {
-    char* end = nullptr;
-    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-    const unsigned long long v = std::strtoull(text.c_str(), &end, 10);
-    if (!digits || text.size() > 19 || v > std::numeric_limits<Unsigned>::max())
-        reject(name, "'" + text + "'", "a whole number that is not too large");
-    value = static_cast<Unsigned>(v);
-}
-void parse(const std::string& name, const std::string& text, uint64_t& value) {
-    parseUnsigned(name, text, value);
-}
-void parse(const std::string& name, const std::string& text, uint32_t& value) {
-    parseUnsigned(name, text, value);
 }
 void parse(const std::string& name, const std::string& text, bool& value) {
     if (text != "true" && text != "false" && text != "1" && text != "0")
@@ -121,17 +116,19 @@ struct Saver {
     /** The fewest digits that read back the same. */
     static std::string shortest(double v) {
         char text[32];
-        for (int digits = 1; digits <= 17; digits++) {
-            std::snprintf(text, sizeof text, "%.*g", digits, v);
-            if (std::strtod(text, nullptr) == v) break;
-        }
-        return text;
+        return {text, std::to_chars(text, text + sizeof text, v).ptr};
     }
 };
+/** The number of threads is not part of a map: maps of equal content are equal files. */
+bool isStreamed(const char* name) {
+    return std::string_view(name) != "threads";
+}
+
 struct StreamWriter {
     mrpt::serialization::CArchive& out;
     template <class T>
-    void operator()(const char*, const T& value, const char*) const {
+    void operator()(const char* name, const T& value, const char*) const {
+        if (!isStreamed(name)) return;
         if constexpr (std::is_enum_v<T>)
             out << static_cast<uint8_t>(value);
         else
@@ -141,7 +138,8 @@ struct StreamWriter {
 struct StreamReader {
     mrpt::serialization::CArchive& in;
     template <class T>
-    void operator()(const char*, T& value, const char*) const {
+    void operator()(const char* name, T& value, const char*) const {
+        if (!isStreamed(name)) return;
         if constexpr (std::is_enum_v<T>)
             value = static_cast<T>(in.ReadAs<uint8_t>());
         else
@@ -195,12 +193,19 @@ void InsertionParameters::validate() const {
 
 void LikelihoodParameters::validate() const {
     require(decimation >= 1, "decimation", decimation, ">= 1");
+    requireNonNegative("sigma_hit", sigma_hit);
     requireProbability("p_unknown", p_unknown);
     requireProbability("p_outlier", p_outlier);
+    requirePositive("independent_returns", independent_returns);
 }
 
 void RenderingParameters::validate() const {
     requireProbability("threshold", threshold);
+}
+
+void readOption(const mrpt::config::CConfigFileBase& c, const std::string& section,
+                const char* name, double& value) {
+    Loader{c, section}(name, value, "");
 }
 
 template <class Parameters>

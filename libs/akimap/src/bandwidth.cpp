@@ -3,7 +3,6 @@
 #include "bandwidth.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -26,19 +25,17 @@ struct Moments {
     Symmetric3 m2;
 };
 
-/** A kernel's metric by successive regression, z first: u = dz^2/vz + (dy - ..)^2/vy + ...
- * All terms are positive, so nothing cancels however flat the ellipsoid is. */
+/** Squared distances r^2 in the metric of a covariance, for rows of points. */
 struct Metric {
     float iz, y_z, iy, x_z, x_y, ix;
 
-    explicit Metric(const Symmetric3& h) {
-        const double vz = h.zz, yz = h.yz / vz, xz = h.xz / vz;
-        const double vy = h.yy - yz * h.yz, xy = (h.xy - xz * h.yz) / vy;
-        const double vx = h.xx - xz * h.xz - xy * xy * vy;
-        iz = static_cast<float>(1 / vz), y_z = static_cast<float>(yz);
-        iy = static_cast<float>(1 / vy), x_z = static_cast<float>(xz);
-        x_y = static_cast<float>(xy), ix = static_cast<float>(1 / vx);
-    }
+    explicit Metric(const Factored& f)
+        : iz(static_cast<float>(1 / f.vz)),
+          y_z(static_cast<float>(f.y_z)),
+          iy(static_cast<float>(1 / f.vy)),
+          x_z(static_cast<float>(f.x_z)),
+          x_y(static_cast<float>(f.x_y)),
+          ix(static_cast<float>(1 / f.vx)) {}
     AKIMAP_INLINE Row squaredDistance(Row dx, Row dy, Row dz) const {
         const Row ey = dy - y_z * dz, ex = dx - x_z * dz - x_y * ey;
         return dz * dz * iz + ey * ey * iy + ex * ex * ix;
@@ -109,18 +106,11 @@ Symmetric3 covarianceOf(const Moments& m, const InsertionParameters& p, double r
             (m.m2.yz - k * m.y * m.z) * w,     (m.m2.zz - k * m.z * m.z) * w + f};
 }
 
-Eigen::Matrix3d asMatrix(const Symmetric3& h) {
+double longestSemiAxis(const Symmetric3& h) {
     Eigen::Matrix3d m;
     m << h.xx, h.xy, h.xz, h.xy, h.yy, h.yz, h.xz, h.yz, h.zz;
-    return m;
-}
-double determinant(const Symmetric3& h) {
-    return asMatrix(h).determinant();
-}
-
-double longestSemiAxis(const Symmetric3& h) {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(asMatrix(h), Eigen::EigenvaluesOnly);
+    solver.computeDirect(m, Eigen::EigenvaluesOnly);
     return std::sqrt(solver.eigenvalues()[2]);
 }
 
@@ -141,21 +131,23 @@ class Selector {
         const Symmetric3 covariance = covarianceOf(m, p_, resolution_);
         if (p_.bandwidth == Bandwidth::covariance || m.n <= 2) return covariance;
 
-        const Metric metric(covariance);
+        const Factored factored(covariance);
+        const Metric metric(factored);
         const float limit = static_cast<float>(std::max(1.0, p_.scale_max * p_.scale_max));
         problem.clear();
         collectSupport(other_, region, metric, limit, false, problem);
         if (problem.isEmpty()) return covariance;  // nothing that could push it back
         collectSupport(same_, region, metric, limit, true, problem);
-        return scaled(covariance, scaleOf(covariance, problem));
+        return scaled(covariance, scaleOf(covariance, factored, problem));
     }
 
  private:
-    [[nodiscard]] double scaleOf(const Symmetric3& covariance, const ScaleProblem& problem) const {
+    [[nodiscard]] double scaleOf(const Symmetric3& covariance, const Factored& factored,
+                                 const ScaleProblem& problem) const {
         const double shortest = p_.scale_min_length > 0 ? p_.scale_min_length : resolution_;
         const double lowest = shortest / longestSemiAxis(covariance);
         if (p_.scale_search == ScaleSearch::descent)
-            return problem.descend(1 / std::sqrt(determinant(covariance)), std::min(lowest, 1.0));
+            return problem.descend(1 / std::sqrt(factored.determinant()), std::min(lowest, 1.0));
         return problem.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
     }
 
@@ -209,7 +201,7 @@ void bandwidths(const Samples& s, const InsertionParameters& p, double resolutio
         return;
     }
     const std::size_t k = s.occupied;
-    const float bin = static_cast<float>(std::max(p.search_range_max, resolution) / 2);
+    const float bin = static_cast<float>(std::max(p.search_range_max, resolution) / 3);
     tbb::parallel_invoke(
         [&] { scratch.occupied.build(s.x.data(), s.y.data(), s.z.data(), k, bin); },
         [&] {

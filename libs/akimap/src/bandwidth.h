@@ -4,15 +4,11 @@
 
 #include <vector>
 
+#include "Factored.h"
 #include "NeighborGrid.h"
 #include "sampling.h"
 
 namespace akimap {
-
-/** A symmetric 3x3 matrix. */
-struct Symmetric3 {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-};
 
 /** Buffers of the bandwidth stage, kept between scans. */
 struct NeighborScratch {
@@ -25,9 +21,10 @@ struct NeighborScratch {
 void bandwidths(const Samples& samples, const InsertionParameters& parameters, double resolution,
                 NeighborScratch& scratch, std::vector<Symmetric3>& H);
 
-/** What is added to the covariance's diagonal [m^2]. Without an option it grows with the cell, so
- * that the thinnest kernel (semi-axis 0.63 cells) still reaches the centres of the cells it lies
- * in: at 10 cm the authors' 0.001 m^2 leaves holes. */
+/** What is added to the covariance's diagonal [m^2]. Without an option it grows with the cell: the
+ * thinnest covariance has a semi-axis of 0.63 cells (Eq. 7 may still shrink it), which reaches the
+ * centre of the sample's own cell or a neighbour's. At 10 cm the authors' 0.001 m^2 leaves holes.
+ */
 [[nodiscard]] double covarianceFloor(const InsertionParameters& p, double resolution);
 
 /** Radius (ball) or half side (box) [m] of the region in which the neighbours of a sample at this

@@ -11,6 +11,11 @@
 
 namespace akimap {
 
+/** Reads one option as strictly as all are read; a missing key leaves the value.
+ * \exception std::invalid_argument naming the key */
+void readOption(const mrpt::config::CConfigFileBase& c, const std::string& section,
+                const char* name, double& value);
+
 /** void where P is the given parameters, const or not, or options made of them. */
 template <class Wanted, class P>
 using IfFieldsOf = std::enable_if_t<std::is_base_of_v<Wanted, std::remove_const_t<P>>>;
@@ -48,8 +53,13 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
 template <class Parameters, class Visitor>
 IfFieldsOf<LikelihoodParameters, Parameters> visitFields(Parameters& o, Visitor&& visit) {
     visit("decimation", o.decimation, ">= 1. Use one return in so many");
-    visit("p_unknown", o.p_unknown, "[-] in (0,1). Occupancy assumed where nothing is known");
+    visit("sigma_hit", o.sigma_hit,
+          "[m] >= 0. Standard deviation of a return's end along its ray: sensor, map and pose");
+    visit("p_unknown", o.p_unknown,
+          "[-] in (0,1). Weight of a return that ends in the unknown; 1: on a surface, 0: in free");
     visit("p_outlier", o.p_outlier, "[-] in (0,1). Share of returns that no map explains");
+    visit("independent_returns", o.independent_returns,
+          "[-] > 0. An observation counts as at most so many independent returns");
 }
 
 template <class Parameters, class Visitor>

@@ -8,6 +8,8 @@
 #include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
+#include <mutex>
+
 #include "mrpt_compat.h"
 
 namespace akimap {
@@ -117,20 +119,44 @@ class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
     std::optional<RayMaker> maker_;
 };
 
+void decodePackets(const CObservationVelodyneScan& o, PacketRays& receiver) {
+    if (o.scan_packets.empty()) return;  // MRPT would clear the cloud
+    CObservationVelodyneScan::TGeneratePointCloudParameters all;
+    all.minDistance = 0;  // 1 m by default: our own range rule, and the sensor's, decide
+    // This overload does not touch the observation, though it is not declared const.
+    const_cast<CObservationVelodyneScan&>(o).generatePointCloud(receiver, all);
+}
+
 void addVelodyne(const CObservationVelodyneScan& o, const AkiMap::RobotPoseAt& robot_pose_at,
-                 std::vector<Ray>& rays) {
+                 bool moving, std::vector<Ray>& rays) {
     PacketRays receiver(o.sensorPose, robot_pose_at, rays);
     const auto& cloud = o.point_cloud;
-    if (cloud.x.empty()) {
-        // This overload does not touch the observation, though it is not declared const.
-        if (!o.scan_packets.empty())
-            const_cast<CObservationVelodyneScan&>(o).generatePointCloud(receiver);
-        return;
-    }
     const bool timed = cloud.timestamp.size() == cloud.x.size();
+    // A cloud that MRPT made of the packets usually has no times.
+    if (cloud.x.empty() || (moving && !timed && !o.scan_packets.empty()))
+        return decodePackets(o, receiver);
     for (std::size_t i = 0; i < cloud.x.size(); i++)
         receiver.add_point(cloud.x[i], cloud.y[i], cloud.z[i], 0,
                            timed ? cloud.timestamp[i] : o.timestamp, 0, 0);
+}
+
+bool isLoaded(const CObservation3DRangeScan& o) {
+    return (o.hasRangeImage && o.rangeImage.size() > 0) || !o.points3D_x.empty();
+}
+bool isLoaded(const CObservationPointCloud& o) {
+    return o.pointcloud && !o.pointcloud->empty();
+}
+template <class T>
+bool isLoaded(const T&) {
+    return true;
+}
+/** Externally stored data are loaded into the const observation, each time anew: once is enough,
+ * and one thread at a time. */
+template <class T>
+void loadOnce(const T& o) {
+    static std::mutex one_at_a_time;
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    if (!isLoaded(o)) o.load();
 }
 
 /** If obs is a T: loads it, adds its rays from the pose at its time, and returns true. */
@@ -139,7 +165,7 @@ bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at,
            std::vector<Ray>& rays) {
     const auto* o = dynamic_cast<const T*>(&obs);
     if (!o) return false;
-    o->load();
+    loadOnce(*o);
     if (const auto robot = robot_pose_at(o->timestamp)) {
         RayMaker maker(*robot + o->sensorPose, rays);
         addScan(*o, maker);
@@ -163,11 +189,10 @@ bool givesRays(const CObservation& obs) {
 }
 
 std::optional<std::vector<Ray>> raysOf(const CObservation& obs,
-                                       const AkiMap::RobotPoseAt& robot_pose_at) {
+                                       const AkiMap::RobotPoseAt& robot_pose_at, bool moving) {
     std::vector<Ray> rays;
     if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&obs)) {
-        velodyne->load();
-        addVelodyne(*velodyne, robot_pose_at, rays);
+        addVelodyne(*velodyne, robot_pose_at, moving, rays);
         return rays;
     }
     if (addIf<CObservation3DRangeScan>(obs, robot_pose_at, rays) ||

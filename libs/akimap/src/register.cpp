@@ -5,6 +5,7 @@
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 #include <mrpt/rtti/CObject.h>
 
+#include "fields.h"
 #include "mrpt_compat.h"
 
 MAP_DEFINITION_REGISTER("akimap::AkiMap,akimap", akimap::AkiMap)
@@ -16,7 +17,7 @@ AkiMap::TMapDefinition::TMapDefinition() = default;
 
 void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& prefix) {
-    MRPT_LOAD_CONFIG_VAR(resolution, double, source, prefix + "_creationOpts");
+    readOption(source, prefix + "_creationOpts", "resolution", resolution);
     insertionOpts.loadFromConfigFile(source, prefix + "_insertOpts");
     insertionOpts.loadFromConfigFile(source, prefix + "_insertionOpts");
     likelihoodOpts.loadFromConfigFile(source, prefix + "_likelihoodOpts");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
 
 namespace akimap {
 namespace {
@@ -47,6 +49,16 @@ bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
         !grid.covers(r.end[0], r.end[1], r.end[2]))
         return ++stats.dropped_grid, false;
     return true;
+}
+
+/** Keys relative to the anchor have room for 2^20 cells on each axis. */
+bool isNear(const CellIndex& anchor, const Ray& r, const BlockGrid& grid) {
+    const auto near = [&](const Point& p) {
+        const CellIndex c = grid.cellAt(p[0], p[1], p[2]);
+        return std::max({std::abs(c.x - anchor.x), std::abs(c.y - anchor.y),
+                         std::abs(c.z - anchor.z)}) < (1 << 19);
+    };
+    return near(r.origin) && near(r.end);
 }
 
 /** Appends samples, at most one a cell. */
@@ -99,6 +111,10 @@ std::vector<KeptRay> addHits(const std::vector<Ray>& rays, const InsertionParame
                 BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
             samples.anchor = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
             sampler.emplace(grid, taken, samples);
+        }
+        if (!isNear(samples.anchor, r, grid)) {
+            ++stats.dropped_grid;
+            continue;
         }
         if (sampler->add(r.end, lengthOf(r))) kept.push_back({&r, number});
         ++number;

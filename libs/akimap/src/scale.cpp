@@ -36,28 +36,25 @@ double kernelSlope(double r) {
 }  // namespace
 
 void ScaleProblem::clear() {
+    size_ = 0;
     r_.clear();
     target_.clear();
 }
 
 void ScaleProblem::add(float u, bool positive) {
+    constexpr double kFar = 1e9;  // padding: neighbours that no kernel reaches
+    if (size_ == r_.size()) {
+        r_.resize(size_ + 4, kFar);
+        target_.resize(size_ + 4, 0);
+    }
     const double r = std::sqrt(static_cast<double>(u));
-    r_.push_back(r);
+    r_[size_] = r;
     // By the polynomial, so that an unchanged scale misses no target.
-    target_.push_back(positive ? kernelOfRadius(r) : 0);
+    target_[size_++] = positive ? kernelOfRadius(r) : 0;
 }
 
 double ScaleProblem::objective(double s) const {
-    const std::size_t rows = r_.size() / 4 * 4;
-    double sum = sumOfSquares(r_.data(), target_.data(), rows, s);
-    if (rows < r_.size()) {  // the rest, padded with neighbours that no kernel reaches
-        const double far = 10 * std::max(1.0, s);
-        double r[4] = {far, far, far, far}, target[4] = {};
-        std::copy(r_.begin() + static_cast<std::ptrdiff_t>(rows), r_.end(), r);
-        std::copy(target_.begin() + static_cast<std::ptrdiff_t>(rows), target_.end(), target);
-        sum += sumOfSquares(r, target, 4, s);
-    }
-    return sum / (s * s * s);
+    return sumOfSquares(r_.data(), target_.data(), r_.size(), s) / (s * s * s);
 }
 
 double ScaleProblem::polish(double a, double b) const {
@@ -91,21 +88,25 @@ double ScaleProblem::minimise(double lowest, double highest) const {
     return at_polished < value ? polished : best;
 }
 
+double ScaleProblem::gradient(double weight, double s) const {
+    double squares = 0, slopes = 0;
+    for (std::size_t i = 0; i < size_; i++) {
+        const double miss = target_[i] - kernelExact(r_[i] / s);
+        squares += miss * miss;
+        slopes -= miss * kernelSlope(r_[i] / s) * r_[i] / (s * s);
+    }
+    const double w = weight / (s * s * s);
+    return -1.5 * w / s * squares - w * slopes;
+}
+
 double ScaleProblem::descend(double weight, double lowest) const {
     constexpr int kEpochs = 100;
     constexpr double kRate = 0.01, kStill = 1e-3;
     double s = 1;
     for (int epoch = 1; epoch <= kEpochs; epoch++) {
-        double squares = 0, slopes = 0;
-        for (std::size_t i = 0; i < r_.size(); i++) {
-            const double miss = target_[i] - kernelExact(r_[i] / s);
-            squares += miss * miss;
-            slopes -= miss * kernelSlope(r_[i] / s) * r_[i] / (s * s);
-        }
-        const double w = weight / (s * s * s);
-        const double gradient = -1.5 * w / s * squares - w * slopes;
-        const double next = std::clamp(s - kRate * gradient / epoch, lowest, 1.0);
-        const bool still = std::abs(gradient) < kStill || 0.5 * w * squares < kStill ||
+        const double slope = gradient(weight, s);
+        const double next = std::clamp(s - kRate * slope / epoch, lowest, 1.0);
+        const bool still = std::abs(slope) < kStill || weight / 2 * objective(s) < kStill ||
                            std::abs(next - s) < kStill;
         if (still) break;
         s = next;

@@ -12,7 +12,7 @@ namespace akimap {
 class ScaleProblem {
  public:
     void clear();
-    [[nodiscard]] bool isEmpty() const { return r_.empty(); }
+    [[nodiscard]] bool isEmpty() const { return size_ == 0; }
     /** \param u squared distance r^2 \param positive whether it has the sample's label */
     void add(float u, bool positive);
 
@@ -24,6 +24,10 @@ class ScaleProblem {
      * polished by golden-section search between its neighbours. */
     [[nodiscard]] double minimise(double lowest, double highest) const;
 
+    /** The derivative of Eq. (7) by s as the authors' code has it: right as long as all neighbours
+     * lie inside the support. \param weight |covariance|^(-1/2) [m^-3] */
+    [[nodiscard]] double gradient(double weight, double s) const;
+
     /** The authors' minimiser: gradient descent from s = 1 with a rate of 0.01 / epoch, clamped to
      * [lowest, 1]. Its gradients reach the thousands, so most runs jump to a bound or stay.
      * \param weight |covariance|^(-1/2) [m^-3], which scales the gradient */
@@ -31,7 +35,8 @@ class ScaleProblem {
 
  private:
     [[nodiscard]] double polish(double a, double b) const;
-    std::vector<double> r_, target_;  // targets t of Eq. (6)
+    std::size_t size_ = 0;
+    std::vector<double> r_, target_;  // targets t of Eq. (6); whole rows, padded
 };
 
 }  // namespace akimap

@@ -19,13 +19,12 @@ Kernel makeKernel(const Symmetric3& h, double x, double y, double z, double reso
     Kernel k{};
     const double per_cell = 1 / resolution, scale = per_cell * per_cell;
     k.x = x * per_cell - 0.5, k.y = y * per_cell - 0.5, k.z = z * per_cell - 0.5;
-    const double yz = h.yz / h.zz, xz = h.xz / static_cast<double>(h.zz);
-    const double vy = h.yy - yz * h.yz, xy = (h.xy - xz * h.yz) / vy;
-    const double vx = h.xx - xz * h.xz - xy * xy * vy;
-    k.y_z = yz, k.x_z = xz, k.x_y = xy;
-    k.vz = h.zz * scale, k.vy = vy * scale, k.vx = vx * scale;
+    const Factored f(h);
+    k.y_z = f.y_z, k.x_z = f.x_z, k.x_y = f.x_y;
+    k.vz = f.vz * scale, k.vy = f.vy * scale, k.vx = f.vx * scale;
+    k.iz = 1 / k.vz, k.iy = 1 / k.vy, k.ix = 1 / k.vx;
     k.reach_x = std::sqrt(h.xx * scale), k.reach_y = std::sqrt(h.yy * scale);
-    k.weight = static_cast<float>(1 / std::sqrt(h.zz * vy * vx));
+    k.weight = static_cast<float>(1 / std::sqrt(f.determinant()));
     return k;
 }
 
@@ -40,8 +39,8 @@ struct Interval {
 /** Adds one row of cells, the first of which is at x = 0, of a kernel that cuts the interval
  * center -+ half out of it. Near its ends 1 - u is a small difference and k the fifth power of it:
  * the ends are taken relative to a cell near the centre, where floats are densest. */
-AKIMAP_INLINE void addRow(float* cells, double center, double half, float inverse_vx,
-                          float weight) {
+AKIMAP_INLINE void addRow(float* cells, double center, double half, float inverse_vx, float weight,
+                          Row& reached) {
     constexpr Row lanes = {0, 1, 2, 3, 4, 5, 6, 7};
     const double near = std::floor(center);
     const float low = static_cast<float>(center - half - near),
@@ -49,35 +48,39 @@ AKIMAP_INLINE void addRow(float* cells, double center, double half, float invers
     const Row t = lanes - static_cast<float>(near);
     const Row g_signed = (t - low) * (high - t) * inverse_vx;  // negative outside
     const Row g = keep(g_signed > 0.0f, g_signed);
+    reached += g;
     storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * weight);
 }
 
 /** Adds a kernel to the plane (alpha or beta) of the block whose lowest cell is (bx, by, bz). */
-AKIMAP_INLINE void addKernel(const Kernel& k, int bx, int by, int bz, float* plane) {
+AKIMAP_INLINE void addKernel(const Kernel& k, int bx, int by, int bz, float* plane, Row& reached) {
     const double cz = k.z - bz, cy = k.y - by, cx = k.x - bx;
-    const float inverse_vx = static_cast<float>(1 / k.vx);
+    const float inverse_vx = static_cast<float>(k.ix);
     const Interval zs(cz, std::sqrt(k.vz), 0, kSide - 1);
     for (int z = zs.first; z <= zs.last; z++) {
-        const double dz = z - cz, left_z = 1 - dz * dz / k.vz;
+        const double dz = z - cz, left_z = 1 - dz * dz * k.iz;
         if (left_z <= 0) continue;
         const double y0 = cy + k.y_z * dz;
         const Interval ys(y0, std::sqrt(k.vy * left_z), 0, kSide - 1);
         for (int y = ys.first; y <= ys.last; y++) {
-            const double ey = y - y0, left = left_z - ey * ey / k.vy;
+            const double ey = y - y0, left = left_z - ey * ey * k.iy;
             if (left <= 0) continue;
             const double x0 = cx + k.x_z * dz + k.x_y * ey, half = std::sqrt(k.vx * left);
             if (x0 + half <= 0 || x0 - half >= kSide - 1) continue;
-            addRow(plane + Block::offset(0, y, z), x0, half, inverse_vx, k.weight);
+            addRow(plane + Block::offset(0, y, z), x0, half, inverse_vx, k.weight, reached);
         }
     }
 }
 
+/** \return whether a kernel reached the centre of any of its cells */
 AKIMAP_MULTIVERSION
-void addToBlock(const ScatterScratch& s, const uint32_t* first, const uint32_t* last,
+bool addToBlock(const ScatterScratch& s, const uint32_t* first, const uint32_t* last,
                 std::size_t occupied, const CellIndex& corner, Block& block) {
+    Row reached{};  // the sum of 1 - u over all cells
     for (const uint32_t* i = first; i != last; ++i)
         addKernel(s.kernels[*i], corner.x, corner.y, corner.z,
-                  *i < occupied ? block.alpha.data() : block.beta.data());
+                  *i < occupied ? block.alpha.data() : block.beta.data(), reached);
+    return sumOf(reached) > 0;
 }
 
 void makeKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
@@ -136,26 +139,36 @@ bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid
     listTouched(s);
     groupByBlock(s);
 
-    s.blocks.resize(s.keys.size());
-    s.fresh.clear();
-    s.fresh.resize(s.keys.size());
-    for (std::size_t b = 0; b < s.keys.size(); b++)
-        s.blocks[b] = grid.find(blockInMap(s.keys[b], samples.anchor));
-
-    tbb::parallel_for(std::size_t{0}, s.keys.size(), [&](std::size_t b) {
-        if (!s.blocks[b]) s.fresh[b] = std::make_unique<Block>();
-        const CellIndex c = unpackKey(s.keys[b]);
-        addToBlock(s, &s.kernels_of[s.start[b]],
-                   &s.kernels_of[s.start[b]] + (s.start[b + 1] - s.start[b]), samples.occupied,
-                   {c.x * kSide, c.y * kSide, c.z * kSide},
-                   s.blocks[b] ? *s.blocks[b] : *s.fresh[b]);
-        // A bounding box can meet a block that the ellipsoid misses.
-        if (s.fresh[b] && s.fresh[b]->isEmpty()) s.fresh[b].reset();
+    // All that may run out of memory comes before the first sum is changed.
+    const std::size_t n = s.keys.size();
+    s.blocks.assign(n, nullptr);
+    s.fresh.assign(n, nullptr);
+    s.reached.assign(n, 0);
+    grid.reserve(grid.blockCount() + n);
+    for (std::size_t b = 0; b < n; b++)
+        s.blocks[b] = grid.own(blockInMap(s.keys[b], samples.anchor));
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
+        if (s.blocks[b]) return;
+        s.fresh[b] = std::make_shared<Block>();
+        s.blocks[b] = s.fresh[b].get();
     });
 
-    for (std::size_t b = 0; b < s.keys.size(); b++)
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
+        const CellIndex c = unpackKey(s.keys[b]);
+        const uint32_t* kernels = s.kernels_of.data();
+        s.reached[b] =
+            addToBlock(s, kernels + s.start[b], kernels + s.start[b + 1], samples.occupied,
+                       {c.x * kSide, c.y * kSide, c.z * kSide}, *s.blocks[b]);
+    });
+
+    bool changed = false;
+    for (std::size_t b = 0; b < n; b++) {
+        if (!s.reached[b]) continue;  // a bounding box can meet a block that the ellipsoid misses
+        changed = true;
         if (s.fresh[b]) grid.adopt(blockInMap(s.keys[b], samples.anchor), std::move(s.fresh[b]));
-    return !s.keys.empty();
+    }
+    s.fresh.clear();
+    return changed;
 }
 
 }  // namespace akimap

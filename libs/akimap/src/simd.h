@@ -46,9 +46,11 @@ AKIMAP_INLINE double keep(bool m, double v) {
     return m ? v : 0;
 }
 AKIMAP_INLINE double sumOf(Row v) {
-    double sum = 0;
-    for (int i = 0; i < 8; i++) sum += v[i];
-    return sum;
+    using HalfRow = float __attribute__((vector_size(16)));
+    const HalfRow low = {v[0], v[1], v[2], v[3]}, high = {v[4], v[5], v[6], v[7]};
+    const DoubleRow s =
+        __builtin_convertvector(low, DoubleRow) + __builtin_convertvector(high, DoubleRow);
+    return (s[0] + s[2]) + (s[1] + s[3]);
 }
 
 }  // namespace akimap

@@ -5,10 +5,15 @@
 #include <akimap/BlockGrid.h>
 #include <akimap/Options.h>
 #include <akimap/Ray.h>
+#include <akimap/SurfaceCache.h>
 #include <mrpt/maps/CMetricMap.h>
 #include <mrpt/math/TBoundingBox.h>
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/version.h>
+#if MRPT_VERSION >= 0x020b03
+#include <mrpt/maps/NearestNeighborsCapable.h>
+#endif
 
 #include <functional>
 #include <memory>
@@ -39,6 +44,12 @@ struct CellState {
     [[nodiscard]] double occupancy() const { return alpha / (alpha + beta); }  ///< Eq. (4)
 };
 
+#if MRPT_VERSION >= 0x020b03
+using NearestNeighborsInterface = mrpt::maps::NearestNeighborsCapable;
+#else
+struct NearestNeighborsInterface {};  // AkiMap's nn_ functions are there all the same
+#endif
+
 /** Dense and sharp 3D occupancy map by adaptive kernel inference (Kwon, Moon and Yoon, AKIMap).
  *
  * Each return adds an occupied sample and free samples along its ray; each sample spreads its
@@ -48,7 +59,7 @@ struct CellState {
  * Frames: rays are in the map frame; observations are placed by robotPose (+) sensorPose.
  * Threads: concurrent const calls are safe; insertions, clear() and loading must be alone.
  * For a given seed the map's bits do not depend on the number of threads. */
-class AkiMap : public mrpt::maps::CMetricMap {
+class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     DEFINE_SERIALIZABLE(AkiMap, akimap)
  public:
     /** \param resolution side of a cell [m] \exception std::invalid_argument unless > 0 */
@@ -70,7 +81,8 @@ class AkiMap : public mrpt::maps::CMetricMap {
 
     /** Inserts one scan given as rays [m], map frame. Unusable rays are skipped and counted.
      * \return whether the map changed
-     * \exception std::invalid_argument if insertionOptions are invalid; the map is unchanged */
+     * \exception std::invalid_argument if insertionOptions are invalid, std::bad_alloc;
+     * the map is unchanged then */
     bool insertRays(const std::vector<Ray>& rays);
 
     /** The robot's pose in the map at a time; empty where it is not known. */
@@ -102,6 +114,9 @@ class AkiMap : public mrpt::maps::CMetricMap {
     }
     /** Centres [m] of the cells whose occupancy is above the threshold. */
     [[nodiscard]] std::vector<mrpt::math::TPoint3Df> occupiedCells(double threshold = 0.5) const;
+    /** Where the surfaces are [m]: a point for each occupied cell, off its centre where the evidence
+     * in and around it is. What matching and the nearest-neighbour search see. */
+    [[nodiscard]] std::vector<mrpt::math::TPoint3Df> surfacePoints() const;
     [[nodiscard]] std::size_t cellCount() const { return grid_.countCells(); }
     [[nodiscard]] const BlockGrid& grid() const { return grid_; }
 
@@ -114,6 +129,66 @@ class AkiMap : public mrpt::maps::CMetricMap {
     void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
     /** Writes `<prefix>_3D.3Dscene` and `<prefix>.akimap`. */
     void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+
+    /** Pairs the points of otherMap, a points map or an AkiMap placed at otherMapPose, with the
+     * surface points: for ICP. All of params is honoured; from the nearest surface point in 3D if
+     * onlyKeepTheClosest, else from all within the allowed distance. globalIdx counts the surface
+     * points. extraResults: the share of the points looked at that found a partner, and the mean
+     * (as MRPT's points maps have it) of the pairs' squared distances [m^2].
+     * In 2D the points keep their heights, which tell floor from wall, and distances are measured
+     * from above. Two empty maps give no pairs.
+     * \exception std::invalid_argument if otherMap is of another class or the decimation is 0 */
+    void determineMatching2D(const mrpt::maps::CMetricMap* otherMap,
+                             const mrpt::poses::CPose2D& otherMapPose,
+                             mrpt::tfest::TMatchingPairList& correspondences,
+                             const mrpt::maps::TMatchingParams& params,
+                             mrpt::maps::TMatchingExtraResults& extraResults) const override;
+    void determineMatching3D(const mrpt::maps::CMetricMap* otherMap,
+                             const mrpt::poses::CPose3D& otherMapPose,
+                             mrpt::tfest::TMatchingPairList& correspondences,
+                             const mrpt::maps::TMatchingParams& params,
+                             mrpt::maps::TMatchingExtraResults& extraResults) const override;
+    /** Share of the points of otherMap (or of the one points map in it) that have a surface point
+     * within maxDistForCorr; 0 if it has no points. */
+    [[nodiscard]] float compute3DMatchingRatio(
+        const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
+        const mrpt::maps::TMatchingRatioParams& params) const override;
+    /** [m^2] to the nearest surface point as seen from above; the largest float if there is none,
+     * or if the point is not finite. */
+    [[nodiscard]] float squareDistanceToClosestCorrespondence(float x0, float y0) const override;
+    /** Frees what can be made again from the cells. */
+    void auxParticleFilterCleanUp() override;
+
+    // mrpt::maps::NearestNeighborsCapable (from MRPT 2.11.3 on), over the surface points: indices
+    // are theirs, 2D searches see them from above, radii are exclusive, results come nearest first.
+    [[nodiscard]] bool nn_has_indices_or_ids() const;
+    void nn_prepare_for_2d_queries() const;
+    void nn_prepare_for_3d_queries() const;
+    [[nodiscard]] std::size_t nn_index_count() const;
+    [[nodiscard]] bool nn_single_search(const mrpt::math::TPoint3Df& query,
+                                        mrpt::math::TPoint3Df& result, float& out_dist_sqr,
+                                        uint64_t& resultIndexOrID) const;
+    [[nodiscard]] bool nn_single_search(const mrpt::math::TPoint2Df& query,
+                                        mrpt::math::TPoint2Df& result, float& out_dist_sqr,
+                                        uint64_t& resultIndexOrID) const;
+    void nn_multiple_search(const mrpt::math::TPoint3Df& query, std::size_t N,
+                            std::vector<mrpt::math::TPoint3Df>& results,
+                            std::vector<float>& out_dists_sqr,
+                            std::vector<uint64_t>& resultIndicesOrIDs) const;
+    void nn_multiple_search(const mrpt::math::TPoint2Df& query, std::size_t N,
+                            std::vector<mrpt::math::TPoint2Df>& results,
+                            std::vector<float>& out_dists_sqr,
+                            std::vector<uint64_t>& resultIndicesOrIDs) const;
+    void nn_radius_search(const mrpt::math::TPoint3Df& query, float search_radius_sqr,
+                          std::vector<mrpt::math::TPoint3Df>& results,
+                          std::vector<float>& out_dists_sqr,
+                          std::vector<uint64_t>& resultIndicesOrIDs,
+                          std::size_t maxPoints = 0) const;
+    void nn_radius_search(const mrpt::math::TPoint2Df& query, float search_radius_sqr,
+                          std::vector<mrpt::math::TPoint2Df>& results,
+                          std::vector<float>& out_dists_sqr,
+                          std::vector<uint64_t>& resultIndicesOrIDs,
+                          std::size_t maxPoints = 0) const;
 
     /** Writes the map (gz, MRPT serialization) beside `file` and then renames it.
      * \exception std::runtime_error naming the file */
@@ -133,8 +208,11 @@ class AkiMap : public mrpt::maps::CMetricMap {
     [[nodiscard]] bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& obs) const override;
 
+    [[nodiscard]] const SurfacePoints& surface() const;
+
     BlockGrid grid_;
-    uint64_t scan_index_ = 0;  // with the seed, the whole random state
+    ScanIndex scan_index_;  // with the seed, the whole random state
+    mutable SurfaceCache surface_cache_;
     InsertionStats stats_;
     std::unique_ptr<Scratch> scratch_;
     const RobotPoseAt* moving_pose_ = nullptr;  // set during insertMovingObservation()

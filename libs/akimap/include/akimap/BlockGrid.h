@@ -24,8 +24,8 @@ struct CellIndex {
 struct Block {
     static constexpr int kSide = 8;
     static constexpr int kCells = kSide * kSide * kSide;
-    alignas(32) std::array<float, kCells> alpha{};
-    alignas(32) std::array<float, kCells> beta{};
+    alignas(32) std::array<float, kCells> alpha;  // no initializers: Block() has zeros, and loading
+    alignas(32) std::array<float, kCells> beta;   // a map need not write them first
 
     [[nodiscard]] static int offset(int x, int y, int z) { return (z * kSide + y) * kSide + x; }
     [[nodiscard]] bool hasEvidence(int i) const { return alpha[i] > 0 || beta[i] > 0; }
@@ -33,10 +33,11 @@ struct Block {
 };
 
 /** No kernel may reach farther than this many cells from its sample. */
-constexpr int32_t kMaxKernelCells = 1024;
+constexpr int32_t kMaxKernelCells = 256;
 
-/** Sparse grid of the sums of Eq. (2)-(3): a hash of dense blocks.
- * Concurrent const calls are safe; a write must be alone. */
+/** Sparse grid of the sums of Eq. (2)-(3): a hash of dense blocks. Copies share their blocks until
+ * one of them writes.
+ * Concurrent const calls are safe; a write must be alone on its grid, not among its copies. */
 class BlockGrid {
  public:
     /** A block's place: its cells are [8 * index, 8 * index + 8) on each axis. */
@@ -46,16 +47,13 @@ class BlockGrid {
     static constexpr int32_t kMaxCell = (1 << 23) - kMaxKernelCells;
 
     explicit BlockGrid(double resolution);
-    BlockGrid(const BlockGrid& o);
-    BlockGrid& operator=(const BlockGrid& o);
-    BlockGrid(BlockGrid&&) = default;
-    BlockGrid& operator=(BlockGrid&&) = default;
 
     [[nodiscard]] double resolution() const { return resolution_; }  ///< [m]
     [[nodiscard]] bool isEmpty() const { return blocks_.empty(); }
     [[nodiscard]] std::size_t blockCount() const { return blocks_.size(); }
-    [[nodiscard]] std::size_t countCells() const;   ///< cells with evidence; visits all
-    [[nodiscard]] std::size_t memoryBytes() const;  ///< blocks, index and slack
+    [[nodiscard]] std::size_t countCells() const;  ///< cells with evidence; visits all
+    /** Blocks, index and slack; blocks shared with a copy are counted in both. */
+    [[nodiscard]] std::size_t memoryBytes() const;
 
     /** Whether the block's key is unique: 21 bits an axis. */
     [[nodiscard]] static bool isAddressable(const BlockIndex& b) {
@@ -63,17 +61,26 @@ class BlockGrid {
         const auto inside = [](int32_t v) { return v >= -k && v < k; };
         return inside(b.x) && inside(b.y) && inside(b.z);
     }
-    /** False where the coordinate [m] lies outside the addressable cells or is not finite. */
-    [[nodiscard]] bool covers(double x, double y, double z) const;
+    /** Whether a point [m] can be inserted: false far out, and where it is not finite. */
+    [[nodiscard]] bool covers(double x, double y, double z) const {
+        return isWithin(kMaxCell, x, y, z);
+    }
+    /** Whether a point [m] has a cell: those that kernels reach from inserted points too. */
+    [[nodiscard]] bool hasCell(double x, double y, double z) const {
+        return isWithin(1 << 23, x, y, z);
+    }
     [[nodiscard]] CellIndex cellAt(double x, double y, double z) const {
         return {axisIndex(x), axisIndex(y), axisIndex(z)};
     }
     [[nodiscard]] double center(int32_t i) const { return (i + 0.5) * resolution_; }  ///< [m]
 
     [[nodiscard]] const Block* find(const BlockIndex& b) const;
-    [[nodiscard]] Block* find(const BlockIndex& b);
+    /** The block to write to, this grid's own from now on; null if there is none. */
+    [[nodiscard]] Block* own(const BlockIndex& b);
+    /** Makes room for so many blocks in all: adopt() then allocates nothing. */
+    void reserve(std::size_t blocks);
     /** \pre no block is there yet, and this one has evidence */
-    void adopt(const BlockIndex& b, std::unique_ptr<Block> block);
+    void adopt(const BlockIndex& b, std::shared_ptr<Block> block);
     void clear();
 
     [[nodiscard]] static BlockIndex blockOf(const CellIndex& c) {
@@ -96,7 +103,7 @@ class BlockGrid {
  private:
     struct Slot {
         uint64_t key;
-        std::unique_ptr<Block> block;
+        std::shared_ptr<Block> block;
     };
 
     template <class Visitor>
@@ -105,6 +112,10 @@ class BlockGrid {
             if (block.hasEvidence(i))
                 visit(CellIndex{b.x * 8 + (i & 7), b.y * 8 + (i >> 3 & 7), b.z * 8 + (i >> 6)},
                       block.alpha[i], block.beta[i]);
+    }
+    [[nodiscard]] bool isWithin(int32_t cells, double x, double y, double z) const {
+        const double limit = cells * resolution_;
+        return std::abs(x) < limit && std::abs(y) < limit && std::abs(z) < limit;
     }
     [[nodiscard]] int32_t axisIndex(double v) const {
         return static_cast<int32_t>(std::floor(v / resolution_));

@@ -26,13 +26,18 @@ class KeyTable {
 
     /** The value already there, or `value` put there now; second: whether it was put. */
     std::pair<uint32_t, bool> insert(uint64_t key, uint32_t value) {
-        if (2 * (size_ + 1) > slots_.size()) grow();
+        reserve(size_ + 1);
         std::size_t i = hash(key) & mask_;
         for (; slots_[i].value != kNone; i = (i + 1) & mask_)
             if (slots_[i].key == key) return {slots_[i].value, false};
         slots_[i] = {key, value};
         ++size_;
         return {value, true};
+    }
+
+    /** Makes room for so many keys in all: insert() then allocates nothing. */
+    void reserve(std::size_t keys) {
+        while (2 * keys > slots_.size()) grow();
     }
 
     /** Empties the table and keeps its memory. */

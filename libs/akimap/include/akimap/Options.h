@@ -62,12 +62,17 @@ struct InsertionParameters {
     void validate() const;
 };
 
-/** How well an observation fits the map. */
+/** How well an observation fits the map: see AkiMap::computeObservationLikelihood. */
 struct LikelihoodParameters {
     uint32_t decimation = 1;  ///< >= 1. Use one return in every `decimation`
-    double p_unknown = 0.3;   ///< [-] in (0,1). Occupancy assumed where nothing is known
-    double p_outlier =
-        0.05;  ///< [-] in (0,1). Share of returns that no map explains: bounds the loss
+    double sigma_hit = 0.1;   ///< [m] >= 0. Standard deviation of a return's end along its ray:
+                              ///< the sensor's, the map's and half the spacing of the poses tried:
+                              ///< more to localize globally (0.15 m at 200 particles a m^2)
+    double p_unknown = 0.1;   ///< [-] in (0,1). Weight of a return that ends where nothing is
+                              ///< known; 1 is a return on a certain surface, 0 one in free space
+    double p_outlier = 0.05;  ///< [-] in (0,1). Share of returns that no map explains
+    double independent_returns = 8;  ///< [-] > 0. An observation counts as at most this many
+                                     ///< independent returns: their errors are shared
 
     void validate() const;
 };

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <csignal>
+
+namespace akimap::app {
+
+/** While one lives, the first SIGINT (^C) or SIGTERM only asks the program to finish; the second
+ * ends it as usual. At most one at a time. */
+class StopSignal {
+ public:
+    StopSignal();
+    ~StopSignal();
+    StopSignal(const StopSignal&) = delete;
+    StopSignal& operator=(const StopSignal&) = delete;
+
+    /** Whether it has been asked; cheap, from any thread. */
+    [[nodiscard]] static bool requested();
+
+ private:
+    struct sigaction old_interrupt_ {
+    }, old_terminate_{};
+};
+
+}  // namespace akimap::app

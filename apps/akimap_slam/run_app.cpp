@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "run_app.h"
+
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <stdexcept>
+
+#include "StopSignal.h"
+#include "errors.h"
+
+namespace akimap::app {
+
+namespace {
+
+/** For what is thrown in a thread, where nobody can catch it. */
+[[noreturn]] void endInOneLine() {
+    std::string reason = "ended without saying why";
+    try {
+        if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+    } catch (const std::exception& e) {
+        reason = reasonOf(e.what());
+    } catch (...) {
+    }
+    std::cerr << "akimap: " << reason << std::endl;
+    std::_Exit(1);
+}
+
+}  // namespace
+
+std::string outputFolder(const AppRequest& request, const Ini& ini, const std::string& section) {
+    if (!request.folder.empty()) return request.folder;
+    const std::string folder = iniValue(ini, section, "logOutput_dir");
+    if (folder.empty())
+        throw std::runtime_error(request.config + ": [" + section +
+                                 "] has no logOutput_dir; say where to write with -o");
+    return folder;
+}
+
+void quietDown(Ini& ini, const std::string& section, const AppRequest& request,
+               mrpt::system::COutputLogger& app) {
+    for (const char* window :
+         {"SHOW_PROGRESS_3D_REAL_TIME", "SHOW_PROGRESS_IN_WINDOW", "DO_SCAN_LIKELIHOOD_DEBUG"})
+        ini.write(section, window, false);
+    if (request.verbose) return;
+    app.setMinLoggingLevel(mrpt::system::LVL_ERROR);
+    for (const char* key : {"verbosity", "verbosity_level"})
+        ini.write(section, key, std::string("ERROR"));
+}
+
+void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed) {
+    const StopSignal stop;
+    const auto old_handler = std::set_terminate(endInOneLine);
+    try {
+        run();
+    } catch (const std::exception& e) {
+        std::set_terminate(old_handler);
+        feed.requireSuccess();
+        throw std::runtime_error(request.config + ": " + reasonOf(e.what()));
+    }
+    std::set_terminate(old_handler);
+    feed.requireSuccess();
+}
+
+}  // namespace akimap::app

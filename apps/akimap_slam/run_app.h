@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <mrpt/system/COutputLogger.h>
+
+#include <functional>
+#include <string>
+
+#include "LogFeed.h"
+#include "config_checks.h"
+
+namespace akimap::app {
+
+/** The command line of `akimap slam` and `akimap localize`. */
+struct AppRequest {
+    std::string config, rawlog;
+    std::string folder;  ///< for the results; empty: the INI's logOutput_dir
+    bool verbose = false;
+};
+
+/** One of mrpt::apps, fed by a LogFeed. */
+template <class App>
+class FedApp : public App {
+ public:
+    explicit FedApp(LogFeed& feed) : feed_(feed) {}
+
+ private:
+    bool impl_get_next_observations(mrpt::obs::CActionCollection::Ptr& actions,
+                                    mrpt::obs::CSensoryFrame::Ptr& frame,
+                                    mrpt::obs::CObservation::Ptr& observation) override {
+        return feed_.next(actions, frame, observation);
+    }
+    LogFeed& feed_;
+};
+
+/** The folder for the results. \exception std::runtime_error if neither names one */
+[[nodiscard]] std::string outputFolder(const AppRequest& request, const Ini& ini,
+                                       const std::string& section);
+
+/** Settings that every one of the applications needs: no windows, which end with "press any key",
+ * and no log unless asked for. */
+void quietDown(Ini& ini, const std::string& section, const AppRequest& request,
+               mrpt::system::COutputLogger& app);
+
+/** Runs `run` such that what it throws, even in threads of MRPT's, ends in one line.
+ * \exception std::runtime_error naming the INI */
+void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed);
+
+}  // namespace akimap::app

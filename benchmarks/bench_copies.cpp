@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+// What a copy of a map costs beside a plain memcpy of its cells: MRPT copies a multi-metric map by
+// serializing it, once per particle in rbpf-slam.
+
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/system/CTicTac.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+#include "scenes.h"
+
+using namespace akimap;
+
+namespace {
+
+template <class Work>
+double medianSeconds(Work&& work) {
+    std::vector<double> times;
+    for (int i = 0; i < 9; i++) {
+        mrpt::system::CTicTac clock;
+        work();
+        times.push_back(clock.Tac());
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+}
+
+}  // namespace
+
+int main() {
+    auto map = AkiMap::Create();
+    for (const auto& scan : bench::simulated(app::SceneKind::structured, 1, 0.1).scans)
+        map->insertRays(scan);
+    mrpt::maps::CMultiMetricMap maps;
+    maps.maps.push_back(map);
+
+    const std::size_t bytes = map->grid().blockCount() * sizeof(Block);
+    const std::vector<char> cells(bytes, 1);
+    const double plain = medianSeconds([&] {
+        std::vector<char> copy(bytes);
+        std::memcpy(copy.data(), cells.data(), bytes);
+        return copy[bytes / 2];
+    });
+    const auto row = [&](const char* name, double seconds) {
+        std::printf("%-34s %8.2f ms  %6.2f x memcpy\n", name, 1e3 * seconds, seconds / plain);
+    };
+    std::printf("a map of %.1f MB\n", 1e-6 * static_cast<double>(bytes));
+    row("memcpy of its cells", plain);
+    row("multi-metric map's copy (bytes)",
+        medianSeconds([&] { const mrpt::maps::CMultiMetricMap copy = maps; }));
+    row("AkiMap's own copy (shared blocks)", medianSeconds([&] { const AkiMap copy = *map; }));
+    return 0;
+}
