@@ -16,7 +16,7 @@ CMAKE_FLAGS ?=
 PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libmrpt-hwdrivers-dev libmrpt-topography-dev mrpt-apps mrpt-common zlib1g-dev \
   libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
-  libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri
+  libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri xvfb xauth
 
 .PHONY: all configure deps demo test bench asan tsan test-viewers test-trixie format clean help
 .DEFAULT_GOAL := all
@@ -61,7 +61,7 @@ test-trixie:
 	@JOBS=$(JOBS) CMAKE_FLAGS="$(CMAKE_FLAGS)" .ci/test-trixie
 
 # MRPT's viewers, driven by mouse and keyboard; screenshots in build/viewers.
-test-viewers: PACKAGES += xvfb xdotool
+test-viewers: PACKAGES += xdotool
 test-viewers: all
 	@tests/viewers.sh $(BUILD) $(BUILD)/viewers
 
