@@ -293,7 +293,8 @@ TEST_F(Build, TheLogsThatComeWithMrpt) {
 
 TEST_F(Build, TheCorridorsPointClouds) {
     const char* data = std::getenv("AKIMAP_DATA");
-    if (!data) GTEST_SKIP() << "AKIMAP_DATA names no data folder";
+    if (!data || !std::filesystem::exists(std::string(data) + "/corridor"))
+        GTEST_SKIP() << "no corridor/ in AKIMAP_DATA";
     std::string clouds;
     for (int i = 1; i <= 16; i++)
         clouds += "'" + std::string(data) + "/corridor/corridor_" + std::to_string(i) + ".pcd' ";
