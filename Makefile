@@ -10,7 +10,6 @@ export AKIMAP_DATA := $(abspath $(AKIMAP_DATA))
 
 BUILD ?= build
 JOBS ?= 2
-AKIMAP := $(BUILD)/bin/akimap
 CMAKE_FLAGS ?=
 
 PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
