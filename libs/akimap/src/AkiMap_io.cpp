@@ -7,11 +7,13 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "mrpt_compat.h"
 
@@ -24,10 +26,26 @@ constexpr const char* kCorrupt = "corrupt AkiMap: ";
     throw std::runtime_error(kCorrupt + what);
 }
 
-bool isPlane(const std::array<float, Block::kCells>& plane) {
-    bool all = true;  // without a way out, so that it runs on whole rows
-    for (const float v : plane) all &= v >= 0 && v <= std::numeric_limits<float>::max();
-    return all;
+/** A block in a stream: words of 32 bits, alpha before beta. */
+struct Record {
+    BlockGrid::BlockIndex index;
+    std::array<float, 2 * Block::kCells> sums;
+};
+static_assert(sizeof(Record::sums) == sizeof(Block) && std::is_trivially_copyable_v<Block>);
+static_assert(sizeof(Record) == sizeof(Record::index) + sizeof(Record::sums));
+
+/** Few large writes: MRPT's memory stream, through which particles are copied, grows at each. */
+constexpr std::size_t kRecordsAtOnce = 64;
+
+/** \exception std::runtime_error unless the sums are finite, >= 0 and not all 0 */
+void checkSums(const Block& block) {
+    constexpr uint32_t kSign = 0x80000000u, kInfinity = 0x7f800000u;  // of an IEEE 754 float
+    std::array<uint32_t, 2 * Block::kCells> bits;
+    std::memcpy(bits.data(), &block, sizeof(block));
+    uint32_t any = 0, overflow = 0;  // on bits and without a way out, so that it runs on whole rows
+    for (const uint32_t b : bits) any |= b, overflow |= b + (kSign - kInfinity);
+    if ((any | overflow) & kSign) corrupt("a cell is negative or not finite");
+    if (any == 0) corrupt("a block without evidence");
 }
 
 /** A path beside the wanted file, removed again unless it is renamed to it. */
@@ -78,12 +96,20 @@ void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
     likelihoodOptions.writeToStream(out);
     renderingOptions.writeToStream(out);
     out << scan_index_ << static_cast<uint64_t>(grid_.blockCount());
-    for (const auto& b : grid_.sortedBlocks()) {
-        const Block& block = *grid_.find(b);
-        out << b.x << b.y << b.z;
-        out.WriteBufferFixEndianness(block.alpha.data(), block.alpha.size());
-        out.WriteBufferFixEndianness(block.beta.data(), block.beta.size());
+    std::vector<Record> records;
+    const auto write = [&] {
+        out.WriteBufferFixEndianness(reinterpret_cast<const uint32_t*>(records.data()),
+                                     records.size() * (sizeof(Record) / sizeof(uint32_t)));
+        records.clear();
+    };
+    records.reserve(std::min(kRecordsAtOnce, grid_.blockCount()));
+    for (const auto& [b, block] : grid_.sortedBlocks()) {
+        Record& record = records.emplace_back();
+        record.index = b;
+        std::memcpy(&record.sums, block, sizeof(record.sums));
+        if (records.size() == kRecordsAtOnce) write();
     }
+    write();
 }
 
 void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
@@ -94,19 +120,19 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
     loaded.likelihoodOptions.readFromStream(in);
     loaded.renderingOptions.readFromStream(in);
     in >> loaded.scan_index_;
+    auto left = in.ReadAs<uint64_t>();
+    loaded.grid_.reserve(std::min<uint64_t>(left, 1 << 16));  // the number may be wrong
     uint64_t previous = 0;
-    for (auto left = in.ReadAs<uint64_t>(); left > 0; --left) {
+    for (; left > 0; --left) {
         BlockGrid::BlockIndex b;
         in >> b.x >> b.y >> b.z;
         if (!BlockGrid::isAddressable(b)) corrupt("a block lies outside the grid");
         if (!loaded.isEmpty() && packKey(b) <= previous) corrupt("its blocks are out of order");
         previous = packKey(b);
         const std::shared_ptr<Block> block(new Block);  // uninitialized
-        in.ReadBufferFixEndianness(block->alpha.data(), block->alpha.size());
-        in.ReadBufferFixEndianness(block->beta.data(), block->beta.size());
-        if (!isPlane(block->alpha) || !isPlane(block->beta))
-            corrupt("a cell is negative or not finite");
-        if (block->isEmpty()) corrupt("a block without evidence");
+        in.ReadBufferFixEndianness(reinterpret_cast<float*>(block.get()),
+                                   sizeof(Block) / sizeof(float));
+        checkSums(*block);
         loaded.grid_.adopt(b, block);
     }
     *this = std::move(loaded);

@@ -65,14 +65,14 @@ void BlockGrid::clear() {
     *this = BlockGrid(resolution_);
 }
 
-std::vector<BlockGrid::BlockIndex> BlockGrid::sortedBlocks() const {
-    std::vector<uint64_t> keys;
-    keys.reserve(blocks_.size());
-    for (const Slot& s : blocks_) keys.push_back(s.key);
-    std::sort(keys.begin(), keys.end());
-    std::vector<BlockIndex> sorted;
-    sorted.reserve(keys.size());
-    for (const uint64_t k : keys) sorted.push_back(unpackKey(k));
+std::vector<BlockGrid::PlacedBlock> BlockGrid::sortedBlocks() const {
+    std::vector<std::pair<uint64_t, const Block*>> blocks;
+    blocks.reserve(blocks_.size());
+    for (const Slot& s : blocks_) blocks.emplace_back(s.key, s.block.get());
+    std::sort(blocks.begin(), blocks.end());
+    std::vector<PlacedBlock> sorted;
+    sorted.reserve(blocks.size());
+    for (const auto& [key, block] : blocks) sorted.push_back({unpackKey(key), block});
     return sorted;
 }
 

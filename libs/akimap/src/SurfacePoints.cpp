@@ -72,11 +72,10 @@ struct SurfacePoints::Trees {
 
 SurfacePoints::SurfacePoints(const BlockGrid& grid, const Prior& prior)
     : trees_(std::make_unique<Trees>()) {
-    for (const auto& b : grid.sortedBlocks()) {
-        const Block& block = *grid.find(b);
+    for (const auto& [b, block] : grid.sortedBlocks()) {
         std::optional<Surroundings> around;
         for (int i = 0; i < Block::kCells; i++) {
-            if (!isOccupied(block, static_cast<std::size_t>(i), prior)) continue;
+            if (!isOccupied(*block, static_cast<std::size_t>(i), prior)) continue;
             if (!around) around.emplace(grid, b);
             const int x = i & 7, y = i >> 3 & 7, z = i >> 6;
             const auto d = evidenceCentroid(*around, x, y, z) * grid.resolution();

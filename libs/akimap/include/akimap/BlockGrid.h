@@ -90,14 +90,18 @@ class BlockGrid {
         return Block::offset(c.x & 7, c.y & 7, c.z & 7);
     }
 
-    /** Indices of all blocks in the defined order (z, then y, then x). */
-    [[nodiscard]] std::vector<BlockIndex> sortedBlocks() const;
+    struct PlacedBlock {
+        BlockIndex index;
+        const Block* block;
+    };
+    /** All blocks in the defined order (z, then y, then x). */
+    [[nodiscard]] std::vector<PlacedBlock> sortedBlocks() const;
 
     /** Calls visit(CellIndex, float alphaSum, float betaSum) for each cell with evidence,
      * in the order of sortedBlocks() and z, y, x within a block. */
     template <class Visitor>
     void forEachCell(Visitor&& visit) const {
-        for (const BlockIndex& b : sortedBlocks()) forEachCellOf(b, *find(b), visit);
+        for (const PlacedBlock& b : sortedBlocks()) forEachCellOf(b.index, *b.block, visit);
     }
 
  private:
