@@ -109,7 +109,7 @@ void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
         std::memcpy(&record.sums, block, sizeof(record.sums));
         if (records.size() == kRecordsAtOnce) write();
     }
-    write();
+    if (!records.empty()) write();
 }
 
 void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
