@@ -15,9 +15,9 @@ CMAKE_FLAGS ?=
 PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libmrpt-hwdrivers-dev libmrpt-topography-dev mrpt-apps mrpt-common zlib1g-dev \
   libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
-  libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri xvfb xauth
+  libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri xvfb xauth xdotool netpbm
 
-.PHONY: all configure deps demo test bench asan tsan test-viewers test-trixie format clean help
+.PHONY: all configure deps demo test bench asan tsan test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -59,11 +59,6 @@ asan tsan: deps
 test-trixie:
 	@JOBS=$(JOBS) CMAKE_FLAGS="$(CMAKE_FLAGS)" .ci/test-trixie
 
-# MRPT's viewers, driven by mouse and keyboard; screenshots in build/viewers.
-test-viewers: PACKAGES += xdotool
-test-viewers: all
-	@tests/viewers.sh $(BUILD) $(BUILD)/viewers
-
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
@@ -76,7 +71,6 @@ help:
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"
 	@echo "make tsan    the tests under ThreadSanitizer"
-	@echo "make test-viewers   RawLogViewer and SceneViewer3D on a virtual screen (xvfb, xdotool)"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"
 	@echo "make format  clang-format every source file"
 	@echo "make clean   remove build*/ and demo/"

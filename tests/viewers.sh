@@ -3,9 +3,12 @@
 # Drives MRPT's RawLogViewer (with the plugin) and SceneViewer3D on a virtual screen, as a user would:
 # load a log, fill in the raw-map form, build, save, preview in 3D, close; open the scene, close.
 # Both must exit with 0, and the saved map must be the one that `akimap build` makes of the log.
-# Screenshots are left in OUT as .xwd. Needs xvfb and xdotool.
+# Screenshots are left in OUT as .png. Needs xvfb, xdotool and netpbm; without them: exit status 77.
 # Usage: viewers.sh BUILD_FOLDER OUT
 set -euo pipefail
+for tool in RawLogViewer SceneViewer3D Xvfb xdotool xwdtopnm; do
+    command -v $tool >/dev/null || { echo "viewers.sh: skipped, there is no $tool"; exit 77; }
+done
 build=$(realpath "$1") ini=$(dirname "$(realpath "$0")")/../share/akimap/config_files/RawLogViewer-raw-map.ini
 log="/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog"
 mkdir -p "$2" && out=$(realpath "$2")
@@ -32,7 +35,7 @@ file() {  # NAME: waits for it
     fail "no file $1"
 }
 click() { xdotool mousemove --window "$1" "$2" "$3" click 1; sleep 1; }
-screenshot() { cp "$out/Xvfb_screen0" "$out/$1.xwd"; }
+screenshot() { xwdtopnm "$out/Xvfb_screen0" 2>/dev/null | pnmtopng 2>/dev/null >"$out/$1.png"; }
 close() {  # WINDOW PID NAME
     xdotool windowfocus "$1" key alt+F4
     wait "$2" || fail "$3 ended with status $?"
@@ -60,7 +63,7 @@ xdotool type --delay 5 "$out/saved"
 xdotool key Return
 file "$out/saved_akimap__AkiMap_00.akimap"
 click "$form" 304 277  # Preview in 3D
-window '3D preview' >/dev/null
+xdotool windowmove "$(window '3D preview')" 700 500
 sleep 3
 screenshot preview
 xdotool windowraise "$form"
@@ -76,6 +79,7 @@ echo "RawLogViewer's map has the cells of akimap build's"
 SceneViewer3D "$out/saved_akimap__AkiMap_00_3D.3Dscene" >"$out/SceneViewer3D.log" 2>&1 &
 app=$!
 main=$(window 3Dscene)
+xdotool windowsize "$main" 1000 800
 sleep 4
 screenshot scene
 close "$main" $app SceneViewer3D
