@@ -154,10 +154,10 @@ CellSet room(bool with_ceiling) {
 }
 
 TEST(Cells, OnlyACeilingIsTakenAway) {
-    double cut = 0;
-    EXPECT_EQ(withoutCeiling(room(false), 0.05, cut).size(), room(false).size());
-    EXPECT_EQ(cut, std::numeric_limits<double>::infinity());
-    const CellSet open = withoutCeiling(room(true), 0.05, cut);
+    EXPECT_EQ(below(room(false), ceiling(room(false), 0.05)).size(), room(false).size());
+    EXPECT_EQ(ceiling(room(false), 0.05), kNoCeiling);
+    const double cut = ceiling(room(true), 0.05);
+    const CellSet open = below(room(true), cut);
     EXPECT_NEAR(cut, 47, 1);
     EXPECT_FALSE(open.contains({40, 30, 47}));
     EXPECT_TRUE(open.contains({40, 30, 0}));

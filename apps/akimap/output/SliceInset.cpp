@@ -8,7 +8,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "output/picture.h"
 #include "output/voxel_view.h"
 
 namespace akimap::app {
@@ -42,13 +41,13 @@ TColor toPixel(const Color& c) {
 
 }  // namespace
 
-SliceInset::SliceInset(const AkiMap& map, const MapCells& cells, std::optional<double> height)
+SliceInset::SliceInset(const MapView& map, std::optional<double> height)
     : map_(map),
-      lowest_(cells.lowest),
-      highest_(cells.highest),
-      height_(height.value_or(defaultHeight(cells, map.resolution()))),
+      lowest_(map.cells.lowest),
+      highest_(map.cells.highest),
+      height_(height.value_or(defaultHeight(map.cells, map.resolution))),
       left_(kPictureMargin) {
-    const double low = lowest_.z * map.resolution(), high = (highest_.z + 1) * map.resolution();
+    const double low = lowest_.z * map.resolution, high = (highest_.z + 1) * map.resolution;
     if (!(height_ >= low && height_ < high)) {
         std::ostringstream why;
         why << "--slice " << height_ << " lies outside the map, whose heights run from " << low
@@ -79,7 +78,7 @@ void SliceInset::draw(mrpt::img::CImage& image) const {
 
 void SliceInset::drawCells(mrpt::img::CImage& image) const {
     constexpr int kSamples = 3;  // a pixel, on both axes
-    const double resolution = map_.resolution(), step = 1 / (scale_ * kSamples);
+    const double resolution = map_.resolution, step = 1 / (scale_ * kSamples);
     for (int v = 0; v < height_pixels_; v++)
         for (int u = 0; u < width_; u++) {
             Color sum;
@@ -110,7 +109,7 @@ void SliceInset::drawLegend(mrpt::img::CImage& image) const {
 }
 
 void SliceInset::drawScaleBar(mrpt::img::CImage& image) const {
-    const double pixels_per_metre = scale_ / map_.resolution();
+    const double pixels_per_metre = scale_ / map_.resolution;
     double metres = std::pow(10, std::floor(std::log10(width_ / pixels_per_metre)));
     if (metres * pixels_per_metre > 0.6 * width_)
         metres /= 5;

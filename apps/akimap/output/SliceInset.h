@@ -2,13 +2,11 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/AkiMap.h>
 #include <mrpt/img/CImage.h>
 
 #include <optional>
 
-#include "output/Camera.h"
-#include "output/MapCells.h"
+#include "output/picture.h"
 
 namespace akimap::app {
 
@@ -16,9 +14,10 @@ namespace akimap::app {
  * black occupied, grey-blue unknown; x to the right, y upwards. */
 class SliceInset {
  public:
-    /** \param height [m]; by default above the floor, where most is known. The map has some cell.
+    /** \param height [m]; by default above the floor, where most is known. The map has some cell
+     * and outlives this.
      * \exception std::runtime_error if the height lies outside the map's bounds */
-    SliceInset(const AkiMap& map, const MapCells& cells, std::optional<double> height);
+    SliceInset(const MapView& map, std::optional<double> height);
 
     /** The part of the picture that it takes. */
     [[nodiscard]] Frame frame() const;
@@ -29,7 +28,7 @@ class SliceInset {
     void drawLegend(mrpt::img::CImage& image) const;
     void drawScaleBar(mrpt::img::CImage& image) const;
 
-    const AkiMap& map_;
+    const MapView& map_;
     CellIndex lowest_, highest_;
     double height_;  // [m]
     double scale_;   // pixels a cell

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <mrpt/img/CImage.h>
+#include "output/picture.h"
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
-#include "output/MapCells.h"
 #include "output/SliceInset.h"
 #include "output/faces.h"
 #include "output/formats.h"
-#include "output/picture.h"
-#include "output/voxel_view.h"
 
 namespace akimap::app {
 
@@ -95,20 +92,12 @@ void drawVeil(const MapCells& cells, const Camera& camera, Raster& raster) {
     });
 }
 
-CImage drawVoxels(const MapCells& cells, const CellSet& shown_cells, const HeightRange& heights,
-                  const std::vector<Frame>& taken, bool unknown) {
+CImage drawVoxels(const MapCells& cells, const Viewpoint& viewpoint, bool unknown) {
     Raster solid(kPictureWidth * kOversampling, kPictureHeight * kOversampling);
-    if (shown_cells.size() == 0) return reduce(solid, nullptr);
-    std::vector<Frame> taken_drawn;
-    for (const Frame& f : taken) taken_drawn.push_back(scaled(f, kOversampling));
-    const Frame all{kPictureMargin, kPictureMargin, kPictureWidth - kPictureMargin,
-                    kPictureHeight - kPictureMargin};
-    const Camera camera =
-        chooseCamera(shown_cells, scaled(all, kOversampling), taken_drawn, facing(cells));
-    drawCells(shown_cells, camera, heights, solid);
+    drawCells(below(cells.occupied, viewpoint.cut), viewpoint.camera, viewpoint.heights, solid);
     if (!unknown) return reduce(solid, nullptr);
     Raster veil(solid.width(), solid.height());
-    drawVeil(cells, camera, veil);
+    drawVeil(cells, viewpoint.camera, veil);
     return reduce(solid, &veil);
 }
 
@@ -145,22 +134,44 @@ void drawCaption(CImage& image, const MapCells& cells, double resolution, double
 
 }  // namespace
 
+MapView viewOf(const AkiMap& map, double threshold) {
+    return {map.resolution(), cellsOf(map, threshold),
+            [&map](double x, double y, double z) { return map.occupancy(x, y, z); }};
+}
+
+Viewpoint chooseViewpoint(const MapView& map, const ExportOptions& options) {
+    const double cut = ceiling(map.cells.occupied, map.resolution);
+    const CellSet open = below(map.cells.occupied, cut);
+    const Frame caption{0, 0, 480, 160}, slice = SliceInset(map, options.slice).frame();
+    const Frame all{kPictureMargin, kPictureMargin, kPictureWidth - kPictureMargin,
+                    kPictureHeight - kPictureMargin};
+    return {chooseCamera(open, scaled(all, kOversampling),
+                         {scaled(caption, kOversampling), scaled(slice, kOversampling)},
+                         facing(map.cells)),
+            heightRange(open), cut};
+}
+
+CImage draw(const MapView& map, const std::optional<Viewpoint>& viewpoint,
+            const ExportOptions& options) {
+    const SliceInset slice(map, options.slice);
+    const Raster nothing(kPictureWidth * kOversampling, kPictureHeight * kOversampling);
+    CImage image =
+        viewpoint ? drawVoxels(map.cells, *viewpoint, options.unknown) : reduce(nothing, nullptr);
+    const HeightRange heights = viewpoint ? viewpoint->heights : HeightRange{};
+    drawCaption(image, map.cells, map.resolution, options.threshold,
+                viewpoint ? viewpoint->cut : kNoCeiling);
+    drawColorBar(image, 88, heights.low * map.resolution, heights.high * map.resolution);
+    slice.draw(image);
+    return image;
+}
+
 void writePng(const AkiMap& map, const std::string& path, const ExportOptions& options) {
     if (map.isEmpty()) throw std::runtime_error("the map has no cell to draw");
-    const double resolution = map.resolution();
-    const MapCells cells = cellsOf(map, options.threshold);
-    const SliceInset slice(map, cells, options.slice);
-    double cut = 0;
-    const CellSet open = withoutCeiling(cells.occupied, resolution, cut);
-    const HeightRange heights = heightRange(open);
-
-    const std::vector<Frame> taken = {{0, 0, 480, 160}, slice.frame()};
-    CImage image = drawVoxels(cells, open, heights, taken, options.unknown);
-    drawCaption(image, cells, resolution, options.threshold, cut);
-    drawColorBar(image, 88, heights.low * resolution, heights.high * resolution);
-    slice.draw(image);
-
-    if (!image.saveToFile(path)) throw std::runtime_error("the picture could not be written");
+    const MapView view = viewOf(map, options.threshold);
+    std::optional<Viewpoint> viewpoint;
+    if (view.cells.occupied.size() > 0) viewpoint = chooseViewpoint(view, options);
+    if (!draw(view, viewpoint, options).saveToFile(path))
+        throw std::runtime_error("the picture could not be written");
 }
 
 }  // namespace akimap::app

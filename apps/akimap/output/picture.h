@@ -2,9 +2,41 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <mrpt/img/TColor.h>
+#include <mrpt/img/CImage.h>
+
+#include <functional>
+#include <optional>
+
+#include "output/Camera.h"
+#include "output/MapCells.h"
+#include "output/export_map.h"
+#include "output/voxel_view.h"
 
 namespace akimap::app {
+
+/** What a picture shows of a map, whatever its class. */
+struct MapView {
+    double resolution;  ///< [m]
+    MapCells cells;
+    /** The occupancy at a place [m]; empty without evidence. */
+    std::function<std::optional<double>(double, double, double)> occupancy;
+};
+/** The map must outlive its view. */
+[[nodiscard]] MapView viewOf(const AkiMap& map, double threshold);
+
+/** From where and how a map is shown. Pictures that are to be compared share one. */
+struct Viewpoint {
+    Camera camera;
+    HeightRange heights;  ///< of the colours
+    double cut;           ///< [cells] occupied cells from this height on are left out
+};
+/** Such that much of this map is seen. \pre some cell is occupied */
+[[nodiscard]] Viewpoint chooseViewpoint(const MapView& map, const ExportOptions& options);
+
+/** \param viewpoint none: nothing is occupied
+ * \exception std::runtime_error if options.slice lies outside the map */
+[[nodiscard]] mrpt::img::CImage draw(const MapView& map, const std::optional<Viewpoint>& viewpoint,
+                                     const ExportOptions& options);
 
 inline constexpr int kPictureWidth = 1600, kPictureHeight = 1000;  // [pixels]
 inline constexpr int kPictureMargin = 32;

@@ -29,7 +29,7 @@ T quantile(std::vector<T>& values, double q) {
 
 /** The lowest cells of the slabs that hang alone in the air above `floor`, one a column: the
  * topmost cells of a column if they are thin and nothing is right below. */
-std::vector<int32_t> overhangs(std::vector<CellIndex>& cells, double floor, double thickness,
+std::vector<int32_t> overhangs(std::vector<CellIndex> cells, double floor, double thickness,
                                double clearance, std::size_t& columns) {
     std::sort(cells.begin(), cells.end(), [](const CellIndex& a, const CellIndex& b) {
         return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z > b.z;
@@ -116,20 +116,22 @@ HeightRange heightRange(const CellSet& cells) {
     return {low, std::max<double>(quantile(heights, 0.99) + 1, low + 1)};
 }
 
-CellSet withoutCeiling(const CellSet& cells, double resolution, double& cut) {
-    cut = std::numeric_limits<double>::infinity();
+double ceiling(const CellSet& cells, double resolution) {
     const HeightRange heights = heightRange(cells);
-    if ((heights.high - heights.low) * resolution < 1.5) return cells;
-    std::vector<CellIndex> list = listOf(cells);
+    if ((heights.high - heights.low) * resolution < 1.5) return kNoCeiling;
     std::size_t columns = 0;
-    std::vector<int32_t> slabs = overhangs(list, (heights.low + heights.high) / 2, 0.3 / resolution,
-                                           1.0 / resolution, columns);
-    if (slabs.empty() || static_cast<double>(slabs.size()) < 0.4 * static_cast<double>(columns)) return cells;
-    cut = quantile(slabs, 0.05);
-    CellSet below;
-    for (const CellIndex& c : list)
-        if (c.z < cut) below.insert(c);
-    return below;
+    std::vector<int32_t> slabs = overhangs(listOf(cells), (heights.low + heights.high) / 2,
+                                           0.3 / resolution, 1.0 / resolution, columns);
+    const bool hides = static_cast<double>(slabs.size()) >= 0.4 * static_cast<double>(columns);
+    return hides && !slabs.empty() ? quantile(slabs, 0.05) : kNoCeiling;
+}
+
+CellSet below(const CellSet& cells, double height) {
+    CellSet lower;
+    cells.forEach([&](const CellIndex& c) {
+        if (c.z < height) lower.insert(c);
+    });
+    return lower;
 }
 
 Camera chooseCamera(const CellSet& cells, const Frame& picture, const std::vector<Frame>& taken,

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "output/Camera.h"
@@ -19,9 +20,11 @@ struct HeightRange {
  * are as likely outliers. */
 [[nodiscard]] HeightRange heightRange(const CellSet& cells);
 
-/** The cells below the ceiling, if there is one that would hide the rooms from above; otherwise
- * all of them. \param cut set to the height [cells] above which cells were left out */
-[[nodiscard]] CellSet withoutCeiling(const CellSet& cells, double resolution, double& cut);
+/** The height [cells] from which on cells would hide the rooms from above; kNoCeiling if none do.
+ */
+[[nodiscard]] double ceiling(const CellSet& cells, double resolution);
+inline constexpr double kNoCeiling = std::numeric_limits<double>::infinity();
+[[nodiscard]] CellSet below(const CellSet& cells, double height);
 
 /** Where to look from and how large, so that the picture is full and shows much.
  * \param taken parts of the picture to keep clear, all at its left
