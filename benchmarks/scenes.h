@@ -27,8 +27,26 @@ struct Scene {
 /** A simulated drive with its exact truth. */
 [[nodiscard]] Scene simulated(app::SceneKind kind, uint64_t seed, double resolution);
 
-/** LA3DM's structured scene from $AKIMAP_DATA/la3dm; no scans if it is not there. */
+/** LA3DM's folder: $LA3DM_DIR, by default $AKIMAP_DATA/la3dm. */
+[[nodiscard]] std::string la3dmFolder();
+
+/** LA3DM's structured scene with the truth of benchmarks/data; no scans if it is not there. */
 [[nodiscard]] Scene la3dmStructured();
+
+/** All .pcd files of a folder, in the order of the numbers in their names, without a truth; no
+ * scans if it is not there. */
+[[nodiscard]] Scene pcdFolder(const std::string& name, const std::string& folder);
+
+/** A drive with a spinning lidar at a steady rate. */
+struct LidarDrive {
+    std::string name;
+    std::vector<std::vector<Ray>> scans;
+    double rate;  ///< [Hz]
+};
+
+/** Through the simulated structured room at 10 Hz: 16 beams within 15 degrees of level, 1875
+ * directions each. */
+[[nodiscard]] LidarDrive simulatedLidar(std::size_t scans);
 
 /** A scan as MRPT's maps take it: the cloud in the robot's frame, the robot at the ray origin.
  * (COctoMap ignores an observation's sensorPose.) \pre one origin for the whole scan */

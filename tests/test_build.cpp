@@ -76,9 +76,11 @@ TEST_F(Build, WithoutPosesAllIsSeenFromOnePlaceWithAWarning) {
 TEST_F(Build, ASimplemapHasItsOwnPoses) {
     mrpt::maps::CSimpleMap map;
     for (int i = 0; i < kScans; i++) {
-        CSensoryFrame frame;
-        frame.insert(wall(i));
-        map.insert(mrpt::poses::CPose3DPDFGaussian(poseOf(i)), frame);
+        const auto frame = CSensoryFrame::Create();
+        frame->insert(wall(i));
+        const mrpt::poses::CPose3DPDF::Ptr pose =
+            mrpt::poses::CPose3DPDFGaussian::Create(poseOf(i));
+        map.insert(pose, frame);
     }
     ASSERT_TRUE(map.saveToFile(file("l.simplemap")));
     EXPECT_EQ(buildMap(file("l.simplemap")), expectedMap());

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace akimap::bench {
+
+/** What all sections share. */
+struct Report {
+    std::string pictures;                           ///< folder to write into
+    std::string pictures_link;                      ///< the same as seen from the report
+    int seeds = 10;                                 ///< runs to average, of what is random
+    std::function<void(const std::string&)> doing;  ///< gets what comes next, for people who wait
+    std::vector<std::string> lost;  ///< figures at which AkiMap is not the best, filled by sections
+};
+
+}  // namespace akimap::bench

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+// Measures everything that BENCHMARK.md tells, and writes it with its pictures.
+
+#include <mrpt/system/CTicTac.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "output/AtomicFile.h"
+#include "output/stream.h"
+#include "report/accuracy.h"
+#include "report/equal_time.h"
+#include "report/heldout.h"
+#include "report/markdown.h"
+#include "report/on_the_fly.h"
+
+using namespace akimap;
+using namespace akimap::bench;
+
+namespace {
+
+struct Request {
+    std::string output = "BENCHMARK.md", pictures = "doc/pictures", commit = "unknown",
+                command = "make benchmark";
+    int seeds = 10;
+};
+
+std::string heading(const std::string& text) {
+    return "\n## " + text + "\n\n";
+}
+
+void accuracy(Report& report, const std::vector<std::pair<std::string, Scene>>& scenes,
+              std::ostream& out) {
+    out << heading("Against a known truth")
+        << "5 cm cells, returns within " << kMaxRange << " m, one thread, mean of " << report.seeds
+        << " seeds where the method is random (σ: the largest standard deviation of a row's "
+           "figures). `known`: the cells that the map has evidence for, to which precision and "
+           "recall belong too; `all`: every cell of known truth, p = 0.5 without evidence. Time is "
+           "insertion only, median.\n";
+    for (const auto& [name, scene] : scenes) {
+        out << "\n### " << scene.name << "\n\n";
+        if (name == "la3dm") out << paperTable() << "\nHere:\n\n";
+        out << accuracySection(report, scene, name);
+    }
+    out << "\nThe rows:\n\n";
+    for (const auto& methods : {akimapMethods(), otherMethods()})
+        for (const Method& m : methods) out << "- " << m.name << ": " << m.what << "\n";
+}
+
+void equalTime(Report& report, const Scene& scene, const std::string& name, std::ostream& out) {
+    out << heading("At equal time (the paper's Fig. 4)") << scene.name
+        << ", one thread. In brackets: the share of the returns, in steps of 5 %, whose insertion "
+           "fits the budget; 5 % where not even that does.\n\n"
+        << equalTimeSection(report, scene, name);
+}
+
+void heldOut(Report& report, const std::vector<std::pair<std::string, Scene>>& scenes,
+             std::ostream& out) {
+    out << heading("Without a truth: scans that the maps never got")
+        << "Every fifth scan is held out. Its returns should be occupied, and what its rays passed "
+           "free: one place per 0.5 m up to 0.2 m before the return. `known`: the places that the "
+           "map has evidence for. Log-loss: p clamped to [0.01, 0.99]; ECE: expected calibration "
+           "error, ten bins.\n";
+    for (const auto& [name, scene] : scenes)
+        out << "\n### " << scene.name << "\n\n" << heldOutSection(report, scene, name);
+}
+
+void onTheFly(Report& report, std::ostream& out) {
+    report.doing("simulated lidar: scans");
+    const LidarDrive drive = simulatedLidar(150);
+    out << heading("On the fly")
+        << "A simulated lidar of 16 beams in a room, " << drive.scans.front().size()
+        << " returns a scan, 10 Hz, 5 cm cells, 10 m range. A scan is lost if it comes during an "
+           "update, by a virtual clock.\n\n"
+        << onTheFlySection(report, drive, "lidar");
+}
+
+std::vector<std::pair<std::string, Scene>> withScans(
+    std::vector<std::pair<std::string, Scene>> scenes) {
+    std::vector<std::pair<std::string, Scene>> found;
+    for (auto& s : scenes) {
+        if (s.second.scans.empty())
+            std::printf("%s: not there, left out\n", s.second.name.c_str());
+        else
+            found.push_back(std::move(s));
+    }
+    return found;
+}
+
+void run(const Request& request) {
+    mrpt::system::CTicTac clock;
+    std::filesystem::create_directories(request.pictures);
+    Report report;
+    report.pictures = request.pictures, report.seeds = request.seeds;
+    report.pictures_link =
+        std::filesystem::relative(request.pictures,
+                                  std::filesystem::absolute(request.output).parent_path())
+            .string();
+    report.doing = [&](const std::string& what) {
+        std::printf("[%5.0f s] %s\n", clock.Tac(), what.c_str());
+        std::fflush(stdout);
+    };
+    const char* data = std::getenv("AKIMAP_DATA");
+    const auto scenes =
+        withScans({{"la3dm", la3dmStructured()},
+                   {"structured", simulated(app::SceneKind::structured, 1, 0.05)},
+                   {"unstructured", simulated(app::SceneKind::unstructured, 1, 0.05)}});
+    const auto held_out_scenes = withScans(
+        {{"corridor", pcdFolder("Corridor (real lidar)", std::string(data ? data : "") + "/corridor")},
+         {"la3dm_unstructured",
+          pcdFolder("LA3DM unstructured", la3dmFolder() + "/sim_unstructured")},
+         scenes.front()});
+
+    std::ostringstream body;
+    accuracy(report, scenes, body);
+    equalTime(report, scenes.front().second, scenes.front().first, body);
+    heldOut(report, held_out_scenes, body);
+    onTheFly(report, body);
+
+    std::ostringstream head;
+    head << "# Benchmark\n\nWritten by `" << request.command << "` at commit " << request.commit
+         << ": " << describeMachine()
+         << ". Do not edit: every figure but the paper's own is measured by that command. Best "
+            "figures are bold.\n"
+         << heading("Where AkiMap is not the best");
+    for (const std::string& line : report.lost) head << "- " << line << "\n";
+    if (report.lost.empty()) head << "Nowhere in these tables.\n";
+
+    app::AtomicFile file(request.output);
+    std::ofstream out = app::openForWriting(file.path());
+    out << head.str() << body.str();
+    app::closeWritten(out);
+    file.commit();
+    std::printf("[%5.0f s] %s and its pictures in %s are written\n", clock.Tac(),
+                request.output.c_str(), request.pictures.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    CLI::App app("Measures AkiMap beside other maps, and writes BENCHMARK.md and its pictures.\n"
+                 "Scenes: simulated ones; LA3DM's in $LA3DM_DIR and a corridor in "
+                 "$AKIMAP_DATA/corridor, if there.");
+    Request request;
+    app.add_option("-o,--output", request.output, "The report")->capture_default_str();
+    app.add_option("--pictures", request.pictures, "Folder for them")->capture_default_str();
+    app.add_option("--seeds", request.seeds, "Runs to average")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--commit", request.commit, "Named in the report")->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    run(request);
+    return 0;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "benchmark_report: %s\n", e.what());
+    return 1;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "report/sheet.h"
+
+#include <mrpt/img/CImage.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "output/AtomicFile.h"
+#include "output/picture.h"
+
+namespace akimap::bench {
+namespace {
+
+using mrpt::img::CImage;
+
+constexpr int kColumns = 3, kTitle = 36;  // [pixels] of height
+constexpr int kPanelWidth = app::kPictureWidth / 2, kPanelHeight = app::kPictureHeight / 2;
+
+app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box,
+                    double resolution) {
+    const BlockGrid grid(resolution);
+    const double half = resolution / 2;
+    app::MapView view{resolution, {}, occupancy};
+    auto& [occupied, free, low, high] = view.cells;
+    low = grid.cellAt(box.min[0] + half, box.min[1] + half, box.min[2] + half);
+    high = grid.cellAt(box.max[0] - half, box.max[1] - half, box.max[2] - half);
+    for (int32_t z = low.z; z <= high.z; z++)
+        for (int32_t y = low.y; y <= high.y; y++)
+            for (int32_t x = low.x; x <= high.x; x++)
+                if (const auto p = occupancy(grid.center(x), grid.center(y), grid.center(z)))
+                    (*p > 0.5 ? occupied : free).insert({x, y, z});
+    return view;
+}
+
+/** The truth as if it were a map. */
+app::OccupancyLookup lookupIn(const app::Truth& truth, const app::Box& box,
+                              app::CellSet& occupied, app::CellSet& free) {
+    const BlockGrid grid(truth.resolution);
+    truth.forEachCell(box, [&](double x, double y, double z, bool is_occupied) {
+        (is_occupied ? occupied : free).insert(grid.cellAt(x, y, z));
+    });
+    return [&occupied, &free, grid](double x, double y, double z) -> std::optional<double> {
+        const CellIndex c = grid.cellAt(x, y, z);
+        if (occupied.contains(c)) return 1;
+        if (free.contains(c)) return 0;
+        return std::nullopt;
+    };
+}
+
+}  // namespace
+
+void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std::string& file) {
+    const double resolution = scene.truth.resolution;
+    app::CellSet occupied, free;
+    std::vector<NamedMap> panels = {
+        {"the truth", lookupIn(scene.truth, scene.box, occupied, free)}};
+    panels.insert(panels.end(), maps.begin(), maps.end());
+    app::ExportOptions options;
+    options.slice = 1.0;
+    const auto viewpoint = app::chooseViewpoint(
+        viewOf(panels.front().occupancy, scene.box, resolution), options);
+
+    const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
+    CImage sheet(kColumns * kPanelWidth, rows * (kPanelHeight + kTitle), mrpt::img::CH_RGB);
+    sheet.filledRectangle(0, 0, static_cast<int>(sheet.getWidth()) - 1,
+                          static_cast<int>(sheet.getHeight()) - 1, mrpt::img::TColor::white());
+    for (std::size_t i = 0; i < panels.size(); i++) {
+        const int left = static_cast<int>(i % kColumns) * kPanelWidth;
+        const int top = static_cast<int>(i / kColumns) * (kPanelHeight + kTitle);
+        CImage full = app::draw(viewOf(panels[i].occupancy, scene.box, resolution), viewpoint,
+                                options);
+        CImage panel;
+        full.scaleImage(panel, kPanelWidth, kPanelHeight, mrpt::img::IMG_INTERP_AREA);
+        sheet.drawImage(left, top + kTitle, panel);
+        sheet.selectTextFont("10x20");
+        sheet.textOut(left + 16, top + 10, panels[i].name, app::kInk);
+    }
+    app::AtomicFile atomic(file);
+    if (!sheet.saveToFile(atomic.path()))
+        throw std::runtime_error(file + ": the picture could not be written");
+    atomic.commit();
+}
+
+}  // namespace akimap::bench
