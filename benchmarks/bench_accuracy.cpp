@@ -10,6 +10,9 @@
 #include <functional>
 
 #include "evaluation/evaluate.h"
+#include "rivals/BgkLOctoMap.h"
+#include "rivals/BgkOctoMap.h"
+#include "rivals/GmmMap.h"
 #include "scenes.h"
 
 using namespace akimap;
@@ -79,6 +82,38 @@ Row octomapRow(const bench::Scene& scene) {
     return {"MRPT COctoMap", app::evaluate(map, scene.truth, scene.box), seconds};
 }
 
+Row rivalRow(const std::string& name, const bench::Scene& scene, bench::Rival& map) {
+    mrpt::system::CTicTac clock;
+    for (const auto& scan : scene.scans) map.insert(scan);
+    const double seconds = clock.Tac();
+    const auto lookup = [&](double x, double y, double z) { return map.occupancy(x, y, z); };
+    return {name, app::evaluate(lookup, scene.truth.resolution, scene.truth, scene.box), seconds};
+}
+
+/** Other methods, on one thread. */
+void printRivals(const bench::Scene& scene, int seeds) {
+    bench::BgkOptions points, lines = bench::BgkLOctoMap::defaults();
+    points.resolution = lines.resolution = scene.truth.resolution;
+    bench::BgkOctoMap bgk(points);
+    print(rivalRow("BGKOctoMap", scene, bgk));
+    bench::BgkLOctoMap bgkl(lines);
+    print(rivalRow("BGKOctoMap-L, 0.3 m", scene, bgkl));
+    lines.free_step = 0.5;
+    bench::BgkLOctoMap coarse(lines);
+    print(rivalRow("BGKOctoMap-L, 0.5 m", scene, coarse));
+    std::vector<Row> rows;
+    double fitting = 0;
+    for (int seed = 1; seed <= seeds; seed++) {
+        bench::GmmOptions o;
+        o.resolution = scene.truth.resolution, o.seed = static_cast<uint64_t>(seed);
+        bench::GmmMap map(o);
+        rows.push_back(rivalRow("GMM-OM, 70 components", scene, map));
+        fitting += map.secondsFitting() / seeds;
+    }
+    print(mean(rows));
+    std::printf("%-24s of the time, %.3f s for fitting\n", "", fitting);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -120,6 +155,7 @@ int main(int argc, char** argv) try {
     row("AkiMap covariance", [](auto& o) { o.bandwidth = Bandwidth::covariance; });
     row("AkiMap isotropic", [](auto& o) { o.bandwidth = Bandwidth::isotropic; });
     print(octomapRow(scene));
+    printRivals(scene, seeds);
     if (!choices) return 0;
     row("Eq. 7 by descent", [](auto& o) { o.scale_search = ScaleSearch::descent; });
     row("scale up to 1.7", [](auto& o) { o.scale_max = 1.7; });
