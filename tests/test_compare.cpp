@@ -46,6 +46,7 @@ class Compare : public ::testing::Test {
     [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
         const auto run = eval(arguments + " --json e.json");
         EXPECT_EQ(run.exit, 0) << run.err;
+        EXPECT_EQ(run.err, "");
         return nlohmann::json::parse(readText(file("e.json")));
     }
     TemporaryFolder folder;

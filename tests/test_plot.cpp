@@ -96,6 +96,16 @@ TEST_F(Plot, NamesThatAreNoUtf8AreDrawnAllTheSame) {
     EXPECT_EQ(readText(folder.file("p.svg")).find('\xff'), std::string::npos);
 }
 
+TEST_F(Plot, LongNamesAreCutAtTheFrontToFit) {
+    Figure figure = someFigure();
+    const auto ink = [&] { return pixelsOf(TColor(33, 33, 33), png(figure)); };
+    std::string& name = figure.panels[0].curves[0].name;
+    name = "é" + std::string(40, 'x') + " end";
+    const int some = ink();
+    name.insert(0, 500, 'x');
+    EXPECT_NEAR(ink(), some, some / 10);  // 500 more would be four times as many
+}
+
 TEST_F(Plot, WhatIsNotFiniteIsLeftOut) {
     Figure figure = someFigure();
     Panel& panel = figure.panels[0];
