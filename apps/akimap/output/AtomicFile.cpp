@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 namespace fs = std::filesystem;
@@ -74,6 +75,20 @@ void AtomicFile::commit() {
 
 void AtomicFile::checkWritable(const std::string& target) {
     const AtomicFile probe(target);
+}
+
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read) {
+    std::set<std::string> taken;
+    std::error_code ignored;
+    for (const std::string& output : outputs) {
+        if (output.empty()) continue;
+        if (!taken.insert(output).second && output.rfind("/dev/", 0) != 0)
+            throw std::runtime_error(output + ": would be overwritten, it is named twice");
+        for (const std::string& file : read)
+            if (file == output || std::filesystem::equivalent(file, output, ignored))
+                throw std::runtime_error(output + ": this output is an input too");
+        AtomicFile::checkWritable(output);
+    }
 }
 
 }  // namespace akimap::app
