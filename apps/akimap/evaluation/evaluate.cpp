@@ -16,6 +16,8 @@ namespace {
 std::vector<std::pair<std::string, double>> figures(const Scores& s) {
     return {{"auc", s.auc},
             {"mse", s.mse},
+            {"log_loss", s.log_loss},
+            {"calibration_error", s.calibration_error},
             {"precision_occupied", s.occupied.precision},
             {"recall_occupied", s.occupied.recall},
             {"f1_occupied", s.occupied.f1},
@@ -46,34 +48,60 @@ void checkScorable(double resolution, const Truth& truth, const Box& box) {
 
 }  // namespace
 
-Evaluation evaluate(const OccupancyLookup& lookup, double resolution, const Truth& truth,
-                    const Box& box) {
-    checkScorable(resolution, truth, box);
-    std::vector<ScoredCell> known, all;
-    all.reserve(static_cast<std::size_t>(truth.countCells(box)));
-    truth.forEachCell(box, [&](double x, double y, double z, bool occupied) {
-        const std::optional<double> occupancy = lookup(x, y, z);
-        if (occupancy) known.push_back({*occupancy, occupied});
-        all.push_back({occupancy.value_or(0.5), occupied});
-    });
-    const double coverage = static_cast<double>(known.size()) / static_cast<double>(all.size());
-    return {score(std::move(known)), score(std::move(all)), coverage};
+OccupancyLookup lookupIn(const AkiMap& map) {
+    return [&map](double x, double y, double z) { return map.occupancy(x, y, z); };
 }
 
-Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box) {
-    return evaluate([&](double x, double y, double z) { return map.occupancy(x, y, z); },
-                    map.resolution(), truth, box);
-}
-
-Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth, const Box& box) {
-    const auto lookup = [&](double x, double y, double z) -> std::optional<double> {
+OccupancyLookup lookupIn(const mrpt::maps::COctoMap& map) {
+    return [&map](double x, double y, double z) -> std::optional<double> {
         double occupancy = 0;
         if (!map.getPointOccupancy(static_cast<float>(x), static_cast<float>(y),
                                    static_cast<float>(z), occupancy))
             return std::nullopt;
         return occupancy;
     };
-    return evaluate(lookup, map.getResolution(), truth, box);
+}
+
+OccupancyLookup lookupIn(const octomap::OcTree& tree) {
+    return [&tree](double x, double y, double z) -> std::optional<double> {
+        const auto* node = tree.search(x, y, z);
+        if (!node) return std::nullopt;
+        return node->getOccupancy();
+    };
+}
+
+ScoredCells collect(const OccupancyLookup& lookup, double resolution, const Truth& truth,
+                    const Box& box) {
+    checkScorable(resolution, truth, box);
+    ScoredCells cells;
+    cells.all.reserve(static_cast<std::size_t>(truth.countCells(box)));
+    truth.forEachCell(box, [&](double x, double y, double z, bool occupied) {
+        const std::optional<double> occupancy = lookup(x, y, z);
+        if (occupancy && !(*occupancy >= 0 && *occupancy <= 1))
+            throw std::runtime_error("the map holds an occupancy that is not in [0, 1]");
+        if (occupancy) cells.known.push_back({*occupancy, occupied});
+        cells.all.push_back({occupancy.value_or(0.5), occupied});
+    });
+    return cells;
+}
+
+Evaluation score(ScoredCells cells) {
+    const double coverage =
+        static_cast<double>(cells.known.size()) / static_cast<double>(cells.all.size());
+    return {score(std::move(cells.known)), score(std::move(cells.all)), coverage};
+}
+
+Evaluation evaluate(const OccupancyLookup& lookup, double resolution, const Truth& truth,
+                    const Box& box) {
+    return score(collect(lookup, resolution, truth, box));
+}
+
+Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box) {
+    return evaluate(lookupIn(map), map.resolution(), truth, box);
+}
+
+Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth, const Box& box) {
+    return evaluate(lookupIn(map), map.getResolution(), truth, box);
 }
 
 void printTable(const Evaluation& evaluation, std::ostream& out) {

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ostream>
+#include <vector>
 
 #include "evaluation/metrics.h"
 #include "evaluation/truth.h"
@@ -22,21 +23,39 @@ struct Evaluation {
     double coverage;  ///< known cells / all cells
 };
 
+/** The cells that were judged, in the truth's order. */
+struct ScoredCells {
+    std::vector<ScoredCell> known;  ///< those that the map has evidence for
+    std::vector<ScoredCell> all;    ///< and the others, with an occupancy of 0.5
+};
+
 /** What a map says of the cell at a centre (x, y, z) [m]; empty without evidence. */
 using OccupancyLookup = std::function<std::optional<double>(double, double, double)>;
 
-/** Scores the cells of known truth whose centre lies in the box.
+/** The map must outlive what is returned. */
+[[nodiscard]] OccupancyLookup lookupIn(const AkiMap& map);
+[[nodiscard]] OccupancyLookup lookupIn(const mrpt::maps::COctoMap& map);
+[[nodiscard]] OccupancyLookup lookupIn(const octomap::OcTree& tree);
+
+/** Looks up the cells of known truth whose centre lies in the box.
  * \param resolution the map's cell size [m]
- * \exception std::runtime_error if the truth's differs from it by more than 1e-6 of it, or if
- * there is no cell to score, or more than kMaxScoredCells */
+ * \exception std::runtime_error if the truth's differs from it by more than 1e-6 of it, if there is
+ * no cell to score, or more than kMaxScoredCells, or if an occupancy is not in [0, 1] */
+[[nodiscard]] ScoredCells collect(const OccupancyLookup& lookup, double resolution,
+                                  const Truth& truth, const Box& box = {});
+
+/** Up to 48 bytes are needed for each; pruned leaves can stand for any number of cells. */
+inline constexpr double kMaxScoredCells = 1e8;
+
+/** Takes its argument by value because it sorts. */
+[[nodiscard]] Evaluation score(ScoredCells cells);
+
+/** collect(), then score(). */
 [[nodiscard]] Evaluation evaluate(const OccupancyLookup& lookup, double resolution,
                                   const Truth& truth, const Box& box = {});
 [[nodiscard]] Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box = {});
 [[nodiscard]] Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth,
                                   const Box& box = {});
-
-/** Pruned leaves can stand for any number of cells; 24 bytes are needed for each. */
-inline constexpr double kMaxScoredCells = 1e8;
 
 /** Rows: the figures; columns: known and all. Undefined figures are shown as '-'. */
 void printTable(const Evaluation& evaluation, std::ostream& out);
