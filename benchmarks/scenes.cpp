@@ -2,8 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #include "scenes.h"
 
-#include <mrpt/maps/CSimplePointsMap.h>
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -43,19 +41,6 @@ Scene la3dmStructured() {
     for (int i = 1; i <= 12; i++)
         s.scans.push_back(app::readPcd(folder + "sim_structured_" + std::to_string(i) + ".pcd"));
     s.truth = app::readTruth(folder + "truth_5cm.bt");
-    return s;
-}
-
-PointCloudScan asPointCloud(const std::vector<Ray>& rays) {
-    PointCloudScan s;
-    s.observation.pointcloud = mrpt::maps::CSimplePointsMap::Create();
-    if (rays.empty()) return s;
-    const auto& o = rays.front().origin;
-    s.robot = mrpt::poses::CPose3D(o[0], o[1], o[2], 0, 0, 0);
-    for (const Ray& r : rays)
-        s.observation.pointcloud->insertPointFast(static_cast<float>(r.end[0] - o[0]),
-                                                  static_cast<float>(r.end[1] - o[1]),
-                                                  static_cast<float>(r.end[2] - o[2]));
     return s;
 }
 

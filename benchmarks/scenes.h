@@ -3,11 +3,11 @@
 #pragma once
 
 #include <akimap/AkiMap.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <string>
 #include <vector>
 
+#include "evaluation/octomap_scan.h"
 #include "evaluation/truth.h"
 #include "simulation/simulate.h"
 
@@ -30,12 +30,7 @@ struct Scene {
 /** LA3DM's structured scene from $AKIMAP_DATA/la3dm; no scans if it is not there. */
 [[nodiscard]] Scene la3dmStructured();
 
-/** A scan as MRPT's maps take it: the cloud in the robot's frame, the robot at the ray origin.
- * (COctoMap ignores an observation's sensorPose.) \pre one origin for the whole scan */
-struct PointCloudScan {
-    mrpt::obs::CObservationPointCloud observation;
-    mrpt::poses::CPose3D robot;
-};
-[[nodiscard]] PointCloudScan asPointCloud(const std::vector<Ray>& rays);
+using app::asPointCloud;
+using app::PointCloudScan;
 
 }  // namespace akimap::bench

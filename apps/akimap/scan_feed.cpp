@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "scan_feed.h"
 
+#include <akimap/rays.h>
 #include <mrpt/core/Clock.h>
 
 #include <algorithm>
@@ -142,6 +143,15 @@ std::string ScanFeed::wrongLabelHint() const {
         for (const std::string& label : source->labels())
             labels += (labels.empty() ? "" : ", ") + label;
     return "--only " + request_.only_label + ", but the sensors are: " + labels;
+}
+
+std::vector<Ray> raysOf(const Scan& scan) {
+    if (!scan.observation) return scan.rays;
+    const auto pose_at = [&](mrpt::Clock::time_point time) {
+        return scan.motion ? scan.motion->at(time) : std::optional(scan.robot_pose);
+    };
+    return akimap::raysOf(*scan.observation, pose_at, scan.motion != nullptr)
+        .value_or(std::vector<Ray>());
 }
 
 }  // namespace akimap::app

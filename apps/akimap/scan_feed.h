@@ -62,4 +62,7 @@ class ScanFeed {
     SkippedScans skipped_;
 };
 
+/** The rays that a map makes of a scan, usable or not. */
+[[nodiscard]] std::vector<Ray> raysOf(const Scan& scan);
+
 }  // namespace akimap::app
