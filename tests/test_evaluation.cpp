@@ -10,7 +10,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "evaluation/evaluate.h"
+#include "evaluation/report.h"
 #include "output/export_map.h"
 #include "random_scans.h"
 #include "run_program.h"

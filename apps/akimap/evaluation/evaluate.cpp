@@ -3,7 +3,6 @@
 #include "evaluation/evaluate.h"
 
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -11,27 +10,6 @@
 namespace akimap::app {
 
 namespace {
-
-/** The figures by name, in the order in which they are shown. */
-std::vector<std::pair<std::string, double>> figures(const Scores& s) {
-    return {{"auc", s.auc},
-            {"mse", s.mse},
-            {"log_loss", s.log_loss},
-            {"calibration_error", s.calibration_error},
-            {"precision_occupied", s.occupied.precision},
-            {"recall_occupied", s.occupied.recall},
-            {"f1_occupied", s.occupied.f1},
-            {"precision_free", s.free.precision},
-            {"recall_free", s.free.recall},
-            {"f1_free", s.free.f1}};
-}
-
-std::string shown(double value) {
-    if (!std::isfinite(value)) return "-";
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(4) << value;
-    return text.str();
-}
 
 void checkScorable(double resolution, const Truth& truth, const Box& box) {
     std::ostringstream why;
@@ -102,38 +80,6 @@ Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box) {
 
 Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth, const Box& box) {
     return evaluate(lookupIn(map), map.getResolution(), truth, box);
-}
-
-void printTable(const Evaluation& evaluation, std::ostream& out) {
-    const auto known = figures(evaluation.known), all = figures(evaluation.all);
-    const auto row = [&](const std::string& name, const std::string& a, const std::string& b) {
-        out << std::left << std::setw(20) << name << std::right << std::setw(12) << a
-            << std::setw(12) << b << "\n";
-    };
-    row("", "known", "all");
-    for (std::size_t i = 0; i < known.size(); i++) {
-        std::string name = known[i].first;
-        for (char& c : name)
-            if (c == '_') c = ' ';
-        row(name, shown(known[i].second), shown(all[i].second));
-    }
-    row("cells", std::to_string(evaluation.known.cells), std::to_string(evaluation.all.cells));
-    row("coverage", shown(evaluation.coverage), "");
-}
-
-nlohmann::ordered_json toJson(const Evaluation& evaluation) {
-    nlohmann::ordered_json json;
-    const auto add = [&](const std::string& prefix, const Scores& scores) {
-        for (const auto& [name, value] : figures(scores)) {
-            auto& entry = json[prefix + name];
-            if (std::isfinite(value)) entry = value;
-        }
-        json[prefix + "cells"] = scores.cells;
-    };
-    add("known_", evaluation.known);
-    add("all_", evaluation.all);
-    json["coverage"] = evaluation.coverage;
-    return json;
 }
 
 }  // namespace akimap::app

@@ -6,9 +6,7 @@
 #include <mrpt/maps/COctoMap.h>
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <ostream>
 #include <vector>
 
 #include "evaluation/metrics.h"
@@ -56,11 +54,5 @@ inline constexpr double kMaxScoredCells = 1e8;
 [[nodiscard]] Evaluation evaluate(const AkiMap& map, const Truth& truth, const Box& box = {});
 [[nodiscard]] Evaluation evaluate(const mrpt::maps::COctoMap& map, const Truth& truth,
                                   const Box& box = {});
-
-/** Rows: the figures; columns: known and all. Undefined figures are shown as '-'. */
-void printTable(const Evaluation& evaluation, std::ostream& out);
-
-/** Flat: known_auc, ..., all_cells, coverage. Undefined figures are null. */
-[[nodiscard]] nlohmann::ordered_json toJson(const Evaluation& evaluation);
 
 }  // namespace akimap::app

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "evaluation/octomap_file.h"
+
 namespace akimap::app {
 
 namespace {
@@ -50,29 +52,6 @@ class NodeReader {
     std::vector<Truth::Leaf>& leaves_;
     uint64_t nodes_ = 0;
 };
-
-struct Header {
-    std::string id;
-    uint64_t size = 0;      // nodes
-    double resolution = 0;  // [m]
-};
-
-/** Reads up to the line `data`; an empty id means that this is no .bt at all. */
-Header readHeader(std::istream& in) {
-    Header header;
-    std::string line, key;
-    std::getline(in, line);
-    if (line.rfind("# Octomap OcTree binary file", 0) != 0) return header;
-    while (std::getline(in, line)) {
-        std::istringstream words(line);
-        if (!(words >> key) || key[0] == '#') continue;
-        if (key == "data") return header;
-        if (key == "id") words >> header.id;
-        if (key == "size") words >> header.size;
-        if (key == "res") words >> header.resolution;
-    }
-    return {};
-}
 
 }  // namespace
 
@@ -122,23 +101,23 @@ double Truth::countCells(const Box& box) const {
     return count;
 }
 
-Truth readTruth(const std::string& file) {
+Truth readTruth(const std::string& file, const std::string& what) {
+    const std::string named = what + " '" + file + "'";
     std::ifstream in(file, std::ios::binary);
     if (!in || in.peek() == std::ifstream::traits_type::eof())
-        throw std::runtime_error("cannot read the truth '" + file +
-                                 "': missing, empty or not a file");
-    const Header header = readHeader(in);
+        throw std::runtime_error("cannot read " + named + ": missing, empty or not a file");
+    const OctoMapHeader header = readOctoMapHeader(in, "# Octomap OcTree binary file");
     if (header.id != "OcTree")
-        throw std::runtime_error("the truth '" + file + "' is not an OctoMap binary tree (.bt)");
+        throw std::runtime_error(named + " is not an OctoMap binary tree (.bt)");
     if (!std::isfinite(header.resolution) || header.resolution <= 0)
-        throw std::runtime_error("the truth '" + file + "' has no valid resolution");
+        throw std::runtime_error(named + " has no valid resolution");
 
     Truth truth;
     truth.resolution = header.resolution;
     NodeReader reader(in, truth.leaves);
     if (header.size > 0 &&
         (!reader.readInner({-kHalf, -kHalf, -kHalf}, 2 * kHalf) || reader.nodes() != header.size))
-        throw std::runtime_error("the truth '" + file + "' is damaged or cut short");
+        throw std::runtime_error(named + " is damaged or cut short");
     return truth;
 }
 

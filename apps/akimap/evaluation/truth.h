@@ -62,8 +62,9 @@ struct Truth {
 
 /** Reads an OctoMap binary tree (.bt). Not with OctoMap's own reader, which prints to stderr and
  * recurses without bound into a damaged file.
+ * \param what the file is called in errors
  * \exception std::runtime_error naming the file if it is missing, damaged or no such tree */
-[[nodiscard]] Truth readTruth(const std::string& file);
+[[nodiscard]] Truth readTruth(const std::string& file, const std::string& what = "the truth");
 
 /** Each leaf counts as occupied or free by the tree's own threshold. */
 [[nodiscard]] Truth truthOf(const octomap::OcTree& tree);
