@@ -151,9 +151,9 @@ TEST_F(Holdout, IsWhatItsPartsSayByHand) {
     EXPECT_EQ(json["scans"], kScans);
     EXPECT_EQ(json["scans_held_out"], 2);
     EXPECT_EQ(json["queries"], 2 * 17 * 17 * 4);
-    expectFigures(json["akimap"], score(collect(lookupIn(map), held_out)));
+    expectFigures(json["AkiMap"], score(collect(lookupIn(map), held_out)));
     expectFigures(json["isotropic"], score(collect(lookupIn(isotropic), held_out)));
-    expectFigures(json["octomap"], score(collect(lookupIn(octomap), held_out)));
+    expectFigures(json["COctoMap"], score(collect(lookupIn(octomap), held_out)));
 }
 
 TEST_F(Holdout, NoMapGetsAHeldOutScan) {
@@ -164,11 +164,11 @@ TEST_F(Holdout, NoMapGetsAHeldOutScan) {
     const auto unseen = figuresOf(seen + seen + seen + seen + alone + seen);
     EXPECT_EQ(unseen["scans_held_out"], 1);
     EXPECT_EQ(unseen["queries"], 8);
-    for (const char* map : {"akimap", "isotropic", "octomap"})
+    for (const char* map : {"AkiMap", "isotropic", "COctoMap"})
         EXPECT_EQ(unseen[map]["known_cells"], 0) << map;
-    EXPECT_TRUE(unseen["akimap"]["known_auc"].is_null());
+    EXPECT_TRUE(unseen["AkiMap"]["known_auc"].is_null());
     const auto known = figuresOf(seen + seen + seen + alone + seen + seen);
-    for (const char* map : {"akimap", "isotropic", "octomap"})
+    for (const char* map : {"AkiMap", "isotropic", "COctoMap"})
         EXPECT_GE(known[map]["known_cells"], 2) << map << ": at least the ends";
 }
 
@@ -180,6 +180,14 @@ TEST_F(Holdout, ATableOfAllThreeMaps) {
     for (const char* part : {"5 scans, 1 of them held out", "AkiMap", "isotropic", "COctoMap",
                              "known queries", "all queries", "log loss", "calibration error"})
         EXPECT_TRUE(holds(run.out, part)) << run.out << "lacks " << part;
+}
+
+TEST_F(Holdout, PlotsNameAllThreeMaps) {
+    figuresOf(plain("l.rawlog", walls()) + " --trajectory " + trajectory() + " --roc " +
+              file("roc.svg") + " --calibration " + file("reliability.svg"));
+    for (const char* plot : {"roc.svg", "reliability.svg"})
+        for (const char* map : {"AkiMap", "isotropic", "COctoMap"})
+            EXPECT_TRUE(holds(readText(file(plot)), map)) << plot << " lacks " << map;
 }
 
 TEST_F(Holdout, Refusals) {
@@ -202,6 +210,8 @@ TEST_F(Holdout, Refusals) {
     refused(file("none.pcd"), "none.pcd: no such file");
     refused(pcd + pcd + "--resolution -1", "resolution = ");
     refused(pcd + "--follow", "--follow");
+    refused(pcd + "--roc " + file("roc.txt"), "roc.txt");
+    refused(pcd + "--roc " + file("a.png") + " --calibration " + file("a.png"), "twice");
     const auto run = runProgram("holdout " + pcd + "--json " + pcd);
     EXPECT_EQ(run.exit, 1);
     EXPECT_TRUE(holds(run.err, "this output is an input too")) << run.err;
@@ -216,7 +226,7 @@ TEST_F(Holdout, TheCorridor) {
         clouds += "'" + std::string(data) + "/corridor/corridor_" + std::to_string(i) + ".pcd' ";
     const auto json = figuresOf(clouds);
     EXPECT_EQ(json["scans_held_out"], 3);
-    const auto ours = json["akimap"], theirs = json["octomap"];
+    const auto ours = json["AkiMap"], theirs = json["COctoMap"];
     EXPECT_GT(ours["known_auc"], theirs["known_auc"]);
     EXPECT_LT(ours["known_mse"], theirs["known_mse"]);
     EXPECT_LT(ours["known_log_loss"], theirs["known_log_loss"]);

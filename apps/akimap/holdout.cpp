@@ -12,6 +12,7 @@
 #include "cli.h"
 #include "commands.h"
 #include "evaluation/octomap_scan.h"
+#include "evaluation/report.h"
 #include "map_options.h"
 #include "output/AtomicFile.h"
 #include "output/stream.h"
@@ -21,11 +22,13 @@ namespace akimap::app {
 
 namespace {
 
+constexpr const char* kOutputGroup = "Output";
+
 struct HoldoutRequest {
     InputRequest input;
     MapRequest map;
     uint64_t every = 5;
-    std::string json;
+    std::string json, roc, calibration;
     bool quiet = false;
 };
 
@@ -41,10 +44,10 @@ struct Contest {
     uint64_t scans = 0, held_out_scans = 0;
 };
 
-/** How one map fared; `key` is its name in JSON. */
-struct Result {
-    std::string key, name;
-    nlohmann::ordered_json figures;
+/** How the maps fared, and their figures as JSON. */
+struct Results {
+    std::vector<Judgement> maps;
+    std::vector<nlohmann::ordered_json> figures;
 };
 
 void takeScan(Contest& contest, const std::vector<Ray>& rays, bool held_out) {
@@ -60,14 +63,15 @@ void takeScan(Contest& contest, const std::vector<Ray>& rays, bool held_out) {
     insertRays(contest.octomap, usable);
 }
 
-std::vector<Result> results(const Contest& contest) {
-    std::vector<Result> all;
-    const auto add = [&](const char* key, const char* name, const auto& map) {
-        all.push_back({key, name, toJson(score(collect(lookupIn(map), contest.held_out)))});
+Results results(const Contest& contest) {
+    Results all;
+    const auto add = [&](const char* name, const auto& map) {
+        all.maps.push_back(judge(name, collect(lookupIn(map), contest.held_out)));
+        all.figures.push_back(toJson(all.maps.back().evaluation));
     };
-    add("akimap", "AkiMap", contest.akimap);
-    add("isotropic", "isotropic", contest.isotropic);
-    add("octomap", "COctoMap", contest.octomap);
+    add("AkiMap", contest.akimap);
+    add("isotropic", contest.isotropic);
+    add("COctoMap", contest.octomap);
     return all;
 }
 
@@ -77,29 +81,30 @@ std::string textOf(const nlohmann::ordered_json& figure) {
 }
 
 /** Rows: the figures whose JSON names begin with `set`, "known" or "all"; columns: the maps. */
-void printTable(const std::string& set, const std::vector<Result>& results, std::ostream& out) {
-    const auto row = [&](std::string name, const auto& text) {
+void printTable(const std::string& set, const Results& results, std::ostream& out) {
+    const auto row = [&](std::string name, const auto& textOfMap) {
         std::replace(name.begin(), name.end(), '_', ' ');
         out << mrpt::format("%-20s", name.c_str());
-        for (const Result& r : results) out << mrpt::format("%12s", text(r).c_str());
+        for (std::size_t i = 0; i < results.maps.size(); i++)
+            out << mrpt::format("%12s", textOfMap(i).c_str());
         out << "\n";
     };
-    row(set + " queries", [](const Result& r) { return r.name; });
-    for (const auto& figure : results.front().figures.items()) {
+    row(set + " queries", [&](std::size_t i) { return results.maps[i].name; });
+    for (const auto& figure : results.figures.front().items()) {
         const std::string& key = figure.key();
         if (key.rfind(set + "_", 0) != 0) continue;
         const std::string name = key.substr(set.size() + 1);
         row(name == "cells" ? "queries" : name,
-            [&](const Result& r) { return textOf(r.figures[key]); });
+            [&](std::size_t i) { return textOf(results.figures[i][key]); });
     }
 }
 
-void writeJson(const Contest& contest, const std::vector<Result>& results,
-               const std::string& file) {
+void writeJson(const Contest& contest, const Results& results, const std::string& file) {
     nlohmann::ordered_json json{{"scans", contest.scans},
                                 {"scans_held_out", contest.held_out_scans},
-                                {"queries", results.front().figures["all_cells"]}};
-    for (const Result& r : results) json[r.key] = r.figures;
+                                {"queries", results.figures.front()["all_cells"]}};
+    for (std::size_t i = 0; i < results.maps.size(); i++)
+        json[results.maps[i].name] = results.figures[i];
     AtomicFile target(file);
     std::ofstream out = openForWriting(target.path());
     out << json.dump(2) << "\n";
@@ -114,7 +119,9 @@ void run(const HoldoutRequest& request) {
         throw std::runtime_error("--every must be at least 2: the map needs scans too");
     std::vector<std::string> read = request.input.inputs;
     read.insert(read.end(), {request.map.config, request.input.trajectory});
-    checkOutputs({request.json}, read);
+    checkOutputs({request.json, request.roc, request.calibration}, read);
+    for (const std::string& plot : {request.roc, request.calibration})
+        if (!plot.empty()) checkPlottable(plot);
 
     ScanFeed feed(request.input);
     const auto take = [&](const Scan& scan, uint64_t number) {
@@ -126,7 +133,9 @@ void run(const HoldoutRequest& request) {
                                  "--every " + std::to_string(request.every) + " none is held out");
     if (contest.akimap.isEmpty())
         throw std::runtime_error("nothing usable in the scans that are not held out");
-    const std::vector<Result> all = results(contest);
+    const Results all = results(contest);
+    if (!request.roc.empty()) writeFigure(rocFigure(all.maps), request.roc);
+    if (!request.calibration.empty()) writeFigure(calibrationFigure(all.maps), request.calibration);
     if (!request.json.empty()) writeJson(contest, all, request.json);
     if (request.quiet) return;
     std::cout << contest.scans << " scans, " << contest.held_out_scans << " of them held out\n\n";
@@ -156,9 +165,16 @@ void addHoldout(CLI::App& app) {
         ->type_name("N")
         ->group(kInputGroup);
     addMapOptions(*command, request->map);
+    command->add_option("--roc", request->roc, "Draw the ROC curves (.png or .svg)")
+        ->group(kOutputGroup);
+    command
+        ->add_option("--calibration", request->calibration,
+                     "Draw the reliability diagram (.png or .svg)")
+        ->group(kOutputGroup);
     command->add_option("--json", request->json, "Write the figures to this file too")
-        ->group("Output");
-    command->add_flag("--quiet", request->quiet, "No progress bar and no table")->group("Output");
+        ->group(kOutputGroup);
+    command->add_flag("--quiet", request->quiet, "No progress bar and no table")
+        ->group(kOutputGroup);
     command->callback([request] { run(*request); });
 }
 
