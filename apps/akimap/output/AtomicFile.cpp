@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <set>
 #include <stdexcept>
 
 namespace fs = std::filesystem;
@@ -36,6 +35,13 @@ std::string createTemporary(const fs::path& file, const std::string& target) {
         if (errno != EEXIST) refuse(target, std::strerror(errno));
     }
     refuse(target, "too many temporary files beside it");
+}
+
+bool samePlace(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    const auto place = fs::weakly_canonical(a, ignored);
+    return a == b || fs::equivalent(a, b, ignored) ||
+           (!place.empty() && place == fs::weakly_canonical(b, ignored));
 }
 
 }  // namespace
@@ -78,16 +84,18 @@ void AtomicFile::checkWritable(const std::string& target) {
 }
 
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read) {
-    std::set<std::string> taken;
-    std::error_code ignored;
+    std::vector<std::string> taken = read;
     for (const std::string& output : outputs) {
         if (output.empty()) continue;
-        if (!taken.insert(output).second && output.rfind("/dev/", 0) != 0)
-            throw std::runtime_error(output + ": would be overwritten, it is named twice");
-        for (const std::string& file : read)
-            if (file == output || std::filesystem::equivalent(file, output, ignored))
-                throw std::runtime_error(output + ": this output is an input too");
+        for (std::size_t i = 0; i < taken.size(); i++) {
+            const bool is_input = i < read.size();
+            const bool is_device = output.rfind("/dev/", 0) == 0;
+            if (samePlace(output, taken[i]) && (is_input || !is_device))
+                throw std::runtime_error(output + ": this output is " +
+                                         (is_input ? "an input too" : "given twice"));
+        }
         AtomicFile::checkWritable(output);
+        taken.push_back(output);
     }
 }
 
