@@ -152,27 +152,27 @@ std::vector<Method> akimapMethods() {
 std::vector<Method> otherMethods() {
     using mrpt::maps::COctoMap;
     std::vector<Method> methods;
-    methods.push_back({"COctoMap", "MRPT's, its defaults, by insertObservation()", false,
-                       [](const MapSettings& s) { return std::make_unique<MrptTree<COctoMap>>(s); }});
+    methods.push_back(
+        {"COctoMap", "MRPT's, its defaults, by insertObservation()", false,
+         [](const MapSettings& s) { return std::make_unique<MrptTree<COctoMap>>(s); }});
     methods.push_back({"COccupancyGridMap3D", "MRPT's, its defaults, by insertPointCloud()", false,
                        [](const MapSettings& s) { return std::make_unique<MrptGrid3D>(s); }});
 #if __has_include(<mrpt/maps/CVoxelMap.h>)
     using mrpt::maps::CVoxelMap;
-    methods.push_back({"CVoxelMap", "MRPT's, its defaults, by insertObservation()", false,
-                       [](const MapSettings& s) { return std::make_unique<MrptTree<CVoxelMap>>(s); }});
+    methods.push_back(
+        {"CVoxelMap", "MRPT's, its defaults, by insertObservation()", false,
+         [](const MapSettings& s) { return std::make_unique<MrptTree<CVoxelMap>>(s); }});
 #endif
-    methods.push_back(
-        {"BGKOctoMap", "ours after LA3DM's: kernel 0.2 m, a free sample each 0.5 m", false,
-         [](const MapSettings& s) {
-             return std::make_unique<RivalUnderTest>(
-                 std::make_unique<BgkOctoMap>(fitted({}, s)));
-         }});
-    methods.push_back(
-        {"BGKOctoMap-L", "ours after LA3DM's: kernel 0.2 m, free segments, 0.3 m", false,
-         [](const MapSettings& s) {
-             return std::make_unique<RivalUnderTest>(
-                 std::make_unique<BgkLOctoMap>(fitted(BgkLOctoMap::defaults(), s)));
-         }});
+    methods.push_back({"BGKOctoMap", "ours after LA3DM's: kernel 0.2 m, a free sample each 0.5 m",
+                       false, [](const MapSettings& s) {
+                           return std::make_unique<RivalUnderTest>(
+                               std::make_unique<BgkOctoMap>(fitted({}, s)));
+                       }});
+    methods.push_back({"BGKOctoMap-L", "ours after LA3DM's: kernel 0.2 m, free segments, 0.3 m",
+                       false, [](const MapSettings& s) {
+                           return std::make_unique<RivalUnderTest>(
+                               std::make_unique<BgkLOctoMap>(fitted(BgkLOctoMap::defaults(), s)));
+                       }});
     methods.push_back({"GMM-OM", "ours: 70 Gaussians a map by EM, resampled and ray-cast", true,
                        [](const MapSettings& s) {
                            GmmOptions o;

@@ -2,8 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #include "scenes.h"
 
-#include <mrpt/maps/CSimplePointsMap.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -80,9 +78,9 @@ LidarDrive simulatedLidar(std::size_t scans) {
         for (std::size_t i = 0; i < kBeams * kDirections; i++) {
             const double elevation = (static_cast<double>(i % kBeams) * 2 - 15) * kPi / 180;
             const double azimuth = 2 * kPi * static_cast<double>(i / kBeams) / kDirections;
-            const auto direction = sensor.rotateVector(
-                {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
-                 std::sin(elevation)});
+            const auto direction =
+                sensor.rotateVector({std::cos(elevation) * std::cos(azimuth),
+                                     std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
             const auto range = app::measureRange(world, origin, direction, 0.3, random);
             if (!range) continue;
             const auto end = origin + direction * *range;
@@ -90,19 +88,6 @@ LidarDrive simulatedLidar(std::size_t scans) {
         }
     }
     return drive;
-}
-
-PointCloudScan asPointCloud(const std::vector<Ray>& rays) {
-    PointCloudScan s;
-    s.observation.pointcloud = mrpt::maps::CSimplePointsMap::Create();
-    if (rays.empty()) return s;
-    const auto& o = rays.front().origin;
-    s.robot = mrpt::poses::CPose3D(o[0], o[1], o[2], 0, 0, 0);
-    for (const Ray& r : rays)
-        s.observation.pointcloud->insertPointFast(static_cast<float>(r.end[0] - o[0]),
-                                                  static_cast<float>(r.end[1] - o[1]),
-                                                  static_cast<float>(r.end[2] - o[2]));
-    return s;
 }
 
 }  // namespace akimap::bench

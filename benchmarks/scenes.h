@@ -3,11 +3,11 @@
 #pragma once
 
 #include <akimap/AkiMap.h>
-#include <mrpt/obs/CObservationPointCloud.h>
 
 #include <string>
 #include <vector>
 
+#include "evaluation/octomap_scan.h"
 #include "evaluation/truth.h"
 #include "simulation/simulate.h"
 
@@ -48,12 +48,7 @@ struct LidarDrive {
  * directions each. */
 [[nodiscard]] LidarDrive simulatedLidar(std::size_t scans);
 
-/** A scan as MRPT's maps take it: the cloud in the robot's frame, the robot at the ray origin.
- * (COctoMap ignores an observation's sensorPose.) \pre one origin for the whole scan */
-struct PointCloudScan {
-    mrpt::obs::CObservationPointCloud observation;
-    mrpt::poses::CPose3D robot;
-};
-[[nodiscard]] PointCloudScan asPointCloud(const std::vector<Ray>& rays);
+using app::asPointCloud;
+using app::PointCloudScan;
 
 }  // namespace akimap::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
+#include <akimap/rays.h>
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -15,7 +16,6 @@
 #include <set>
 
 #include "random_scans.h"
-#include "rays.h"
 #include "same_map.h"
 
 using namespace akimap;
@@ -276,7 +276,8 @@ TEST(Observations, NearVelodyneReturnsAreLeftToOurRangeRule) {
         for (auto& block : packet.blocks)
             for (auto& r : block.laser_returns) {
                 const auto quarter = static_cast<uint16_t>(r.distance() / 4);
-                std::memcpy(static_cast<void*>(&r), &quarter, sizeof quarter);  // its first two bytes, little-endian
+                std::memcpy(static_cast<void*>(&r), &quarter,
+                            sizeof quarter);  // its first two bytes, little-endian
             }
     EXPECT_GT(rays(near).size(), all * 99 / 100);  // MRPT's default would drop all within 1 m
 }

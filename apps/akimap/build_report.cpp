@@ -5,8 +5,12 @@
 #include <mrpt/core/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <ostream>
 #include <stdexcept>
 
@@ -24,7 +28,23 @@ std::string countText(uint64_t count) {
     return mrpt::format("%llu", static_cast<unsigned long long>(count));
 }
 
+std::string secondsText(double seconds) {
+    return mrpt::format("%.3f", seconds);
+}
+
+double sumOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 }  // namespace
+
+double quantile(std::vector<double> values, double q) {
+    const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(values.size())));
+    const auto nth =
+        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+}
 
 std::vector<SkipCount> skipCounts(const BuildReport& report) {
     const InsertionStats& s = report.insertion;
@@ -51,7 +71,16 @@ void printTable(const BuildReport& report, std::ostream& out) {
     row(out, "free samples", countText(s.samples_free));
     row(out, "cells", countText(report.cells));
     row(out, "map [MB]", mrpt::format("%.1f", static_cast<double>(report.map_bytes) / 1e6));
-    row(out, "insertion time [s]", mrpt::format("%.3f", report.insertion_seconds));
+    row(out, "insertion time [s]", secondsText(sumOf(report.update_seconds)));
+    row(out, "  of a scan, median", secondsText(quantile(report.update_seconds, 0.5)));
+    row(out, "  of a scan, 99th percentile", secondsText(quantile(report.update_seconds, 0.99)));
+    if (report.realtime) {
+        row(out, "scans offered", countText(report.realtime->offered()));
+        row(out, "  used", countText(report.realtime->used()));
+        row(out, "  lost", countText(report.realtime->lost()));
+        if (const auto late = report.realtime->lostOutOfOrder())
+            row(out, "    of them out of order", countText(late));
+    }
     bool is_first = true;
     for (const SkipCount& skip : skipCounts(report)) {
         if (skip.count == 0) continue;
@@ -69,11 +98,19 @@ void writeJson(const BuildReport& report, const std::string& file) {
                                 {"samples_free", s.samples_free},
                                 {"cells", report.cells},
                                 {"map_bytes", report.map_bytes},
-                                {"insertion_seconds", report.insertion_seconds},
+                                {"insertion_seconds", sumOf(report.update_seconds)},
+                                {"update_seconds_median", quantile(report.update_seconds, 0.5)},
+                                {"update_seconds_p99", quantile(report.update_seconds, 0.99)},
                                 {"seconds_sampling", s.seconds_sampling},
                                 {"seconds_bandwidth", s.seconds_bandwidth},
                                 {"seconds_update", s.seconds_update},
                                 {"peak_rss_bytes", report.peak_rss_bytes}};
+    if (report.realtime) {
+        json["scans_offered"] = report.realtime->offered();
+        json["scans_used"] = report.realtime->used();
+        json["scans_lost"] = report.realtime->lost();
+        json["scans_lost_out_of_order"] = report.realtime->lostOutOfOrder();
+    }
     uint64_t unusable = 0;
     for (const auto& [name, count] : report.skipped.unusable) unusable += count;
     json["skipped_observations"] = unusable;

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "RealtimeGate.h"
 #include "input/ScanSource.h"
 
 namespace akimap::app {
@@ -17,11 +19,12 @@ namespace akimap::app {
 struct BuildReport {
     InsertionStats insertion;
     SkippedScans skipped;
-    uint64_t empty_scans = 0;      ///< without a point that the map could use
-    uint64_t cells = 0;            ///< with evidence
-    uint64_t map_bytes = 0;        ///< the map's own memory: blocks, index, slack
-    double insertion_seconds = 0;  ///< wall time within the insertions, reading left out
-    uint64_t peak_rss_bytes = 0;   ///< of the whole process
+    uint64_t empty_scans = 0;              ///< without a point that the map could use
+    uint64_t cells = 0;                    ///< with evidence
+    uint64_t map_bytes = 0;                ///< the map's own memory: blocks, index, slack
+    std::vector<double> update_seconds;    ///< wall time of each insertion, reading left out
+    std::optional<RealtimeGate> realtime;  ///< what was lost; empty: every scan was inserted
+    uint64_t peak_rss_bytes = 0;           ///< of the whole process
 };
 
 /** One thing passed over: its JSON key, its name for people, and how many. */
@@ -32,6 +35,10 @@ struct SkipCount {
 
 /** All skip counters, zero or not, and one for each unusable class that was seen. */
 [[nodiscard]] std::vector<SkipCount> skipCounts(const BuildReport& report);
+
+/** The q-quantile by nearest rank: the least of the values that at least the share q of them does
+ * not exceed. \pre there are values; 0 < q <= 1 */
+[[nodiscard]] double quantile(std::vector<double> values, double q);
 
 /** An aligned table for people, with the counters that are not zero. */
 void printTable(const BuildReport& report, std::ostream& out);

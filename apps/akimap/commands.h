@@ -15,6 +15,7 @@ void addExport(CLI::App& app);
 void addInfo(CLI::App& app);
 void addQuery(CLI::App& app);
 void addEval(CLI::App& app);
+void addHoldout(CLI::App& app);
 void addDefaultConfig(CLI::App& app);
 
 }  // namespace akimap::app

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -21,27 +20,11 @@ struct EvalRequest {
     std::vector<std::string> compared;
 };
 
-bool samePlace(const std::string& a, const std::string& b) {
-    std::error_code ignored;
-    const auto place = std::filesystem::weakly_canonical(a, ignored);
-    return a == b || std::filesystem::equivalent(a, b, ignored) ||
-           (!place.empty() && place == std::filesystem::weakly_canonical(b, ignored));
-}
-
 /** Finds what is wrong with the outputs before the work starts. */
-void checkOutputs(const EvalRequest& request) {
-    std::vector<std::string> taken = request.compared;
-    taken.insert(taken.end(), {request.map, request.truth});
-    const std::size_t inputs = taken.size();
-    for (const std::string& output : {request.json, request.roc, request.calibration}) {
-        if (output.empty()) continue;
-        for (std::size_t i = 0; i < taken.size(); i++)
-            if (samePlace(output, taken[i]))
-                throw std::runtime_error(output + ": this output is " +
-                                         (i < inputs ? "an input too" : "given twice"));
-        taken.push_back(output);
-    }
-    if (!request.json.empty()) AtomicFile::checkWritable(request.json);
+void checkRequest(const EvalRequest& request) {
+    std::vector<std::string> read = request.compared;
+    read.insert(read.end(), {request.map, request.truth});
+    checkOutputs({request.json, request.roc, request.calibration}, read);
     if (!request.roc.empty()) checkPlottable(request.roc);
     if (!request.calibration.empty()) checkPlottable(request.calibration);
 }
@@ -74,7 +57,7 @@ void writeJson(const std::vector<Judgement>& maps, const std::string& name) {
 
 void run(const EvalRequest& request) {
     const Box box = request.box.empty() ? Box{} : parseBox(request.box);
-    checkOutputs(request);
+    checkRequest(request);
     const Truth truth = readTruth(request.truth);
     std::vector<Judgement> maps = {judge(request.map, cellsOf(request.map, request, truth, box))};
     for (const std::string& file : request.compared)

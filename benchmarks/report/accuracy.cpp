@@ -74,12 +74,11 @@ std::string accuracySection(Report& report, const Scene& scene, const std::strin
     }
     report.doing(scene.name + ": pictures");
     for (const char* extension : {".png", ".svg"})
-        app::writeFigure(app::rocFigure(judgements),
-                         report.pictures + "/roc_" + name + extension);
+        app::writeFigure(app::rocFigure(judgements), report.pictures + "/roc_" + name + extension);
     writeSheet(scene, maps, report.pictures + "/maps_" + name + ".png");
 
-    std::string text = tableOf(rows, accuracyColumns(), {"time [s]", "× COctoMap's"}, scene.name,
-                               report.lost);
+    std::string text =
+        tableOf(rows, accuracyColumns(), {"time [s]", "× COctoMap's"}, scene.name, report.lost);
     text += "\n" + image("ROC curves", report.pictures_link + "/roc_" + name + ".png");
     text += "\n" + image("The maps", report.pictures_link + "/maps_" + name + ".png");
     return text;

@@ -52,8 +52,8 @@ std::string table(Report& report, const Scene& scene, const std::vector<Method>&
         const std::string label = m.name + " (" + std::to_string(5 * steps) + " %)";
         for (int seed = 1; seed <= seeds; seed++) {
             const auto built = build(m, settingsFor(scene, static_cast<uint64_t>(seed)), scans);
-            app::ScoredCells cells = app::collect(lookupIn(*built.map), scene.truth.resolution,
-                                                  scene.truth, scene.box);
+            app::ScoredCells cells =
+                app::collect(lookupIn(*built.map), scene.truth.resolution, scene.truth, scene.box);
             seconds += built.seconds / seeds;
             if (seed == 1) judgements.push_back(app::judge(label, cells));
             runs.push_back(app::score(std::move(cells)));
@@ -63,8 +63,7 @@ std::string table(Report& report, const Scene& scene, const std::vector<Method>&
     }
     const std::string picture = "equal_time_" + name;
     for (const char* extension : {".png", ".svg"})
-        app::writeFigure(app::rocFigure(judgements),
-                         report.pictures + "/" + picture + extension);
+        app::writeFigure(app::rocFigure(judgements), report.pictures + "/" + picture + extension);
     return tableOf(rows, accuracyColumns(), {"time [s]"},
                    scene.name + " in " + fixed(budget, 2) + " s", report.lost) +
            "\n" + image("ROC curves at equal time", report.pictures_link + "/" + picture + ".png");

@@ -108,9 +108,8 @@ std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& col
         if (std::isnan(best[i]) || isAsGood(rows.front().means[i], best[i])) continue;
         const auto winner = std::find_if(rows.begin(), rows.end(),
                                          [&](const Row& r) { return r.means[i] == best[i]; });
-        lost.push_back(where + ", " + columns[i].name + ": " +
-                       fixed(rows.front().means[i], 3) + "; " + winner->name + " has " +
-                       fixed(best[i], 3));
+        lost.push_back(where + ", " + columns[i].name + ": " + fixed(rows.front().means[i], 3) +
+                       "; " + winner->name + " has " + fixed(best[i], 3));
     }
     return table.text();
 }

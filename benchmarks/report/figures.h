@@ -23,8 +23,8 @@ struct Column {
 /** One method's figures over several seeds. */
 struct Row {
     std::string name;
-    std::vector<double> means;    ///< by column
-    double largest_deviation;     ///< the largest standard deviation of any column; NaN for one run
+    std::vector<double> means;  ///< by column
+    double largest_deviation;   ///< the largest standard deviation of any column; NaN for one run
     std::vector<std::string> more;  ///< cells behind
 };
 [[nodiscard]] Row summarize(const std::string& name, const std::vector<Column>& columns,

@@ -44,8 +44,8 @@ std::string heldOutSection(Report& report, const Scene& scene, const std::string
                          report.pictures + "/reliability_" + name + extension);
     return std::to_string(used.size()) + " scans in, " + std::to_string(all.size() - used.size()) +
            " held out.\n\n" +
-           tableOf(rows, heldOutColumns(), {}, scene.name + ", held-out scans", report.lost) + "\n" +
-           image("Reliability", report.pictures_link + "/reliability_" + name + ".png");
+           tableOf(rows, heldOutColumns(), {}, scene.name + ", held-out scans", report.lost) +
+           "\n" + image("Reliability", report.pictures_link + "/reliability_" + name + ".png");
 }
 
 }  // namespace akimap::bench

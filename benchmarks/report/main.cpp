@@ -35,8 +35,8 @@ std::string heading(const std::string& text) {
 
 void accuracy(Report& report, const std::vector<std::pair<std::string, Scene>>& scenes,
               std::ostream& out) {
-    out << heading("Against a known truth")
-        << "5 cm cells, returns within " << kMaxRange << " m, one thread, mean of " << report.seeds
+    out << heading("Against a known truth") << "5 cm cells, returns within " << kMaxRange
+        << " m, one thread, mean of " << report.seeds
         << " seeds where the method is random (σ: the largest standard deviation of a row's "
            "figures). `known`: the cells that the map has evidence for, to which precision and "
            "recall belong too; `all`: every cell of known truth, p = 0.5 without evidence. Time is "
@@ -72,8 +72,8 @@ void heldOut(Report& report, const std::vector<std::pair<std::string, Scene>>& s
 void onTheFly(Report& report, std::ostream& out) {
     report.doing("simulated lidar: scans");
     const LidarDrive drive = simulatedLidar(150);
-    out << heading("On the fly")
-        << "A simulated lidar of 16 beams in a room, " << drive.scans.front().size()
+    out << heading("On the fly") << "A simulated lidar of 16 beams in a room, "
+        << drive.scans.front().size()
         << " returns a scan, 10 Hz, 5 cm cells, 10 m range. A scan is lost if it comes during an "
            "update, by a virtual clock.\n\n"
         << onTheFlySection(report, drive, "lidar");
@@ -109,11 +109,12 @@ void run(const Request& request) {
         withScans({{"la3dm", la3dmStructured()},
                    {"structured", simulated(app::SceneKind::structured, 1, 0.05)},
                    {"unstructured", simulated(app::SceneKind::unstructured, 1, 0.05)}});
-    const auto held_out_scenes = withScans(
-        {{"corridor", pcdFolder("Corridor (real lidar)", std::string(data ? data : "") + "/corridor")},
-         {"la3dm_unstructured",
-          pcdFolder("LA3DM unstructured", la3dmFolder() + "/sim_unstructured")},
-         scenes.front()});
+    const auto held_out_scenes =
+        withScans({{"corridor", pcdFolder("Corridor (real lidar)",
+                                          std::string(data ? data : "") + "/corridor")},
+                   {"la3dm_unstructured",
+                    pcdFolder("LA3DM unstructured", la3dmFolder() + "/sim_unstructured")},
+                   scenes.front()});
 
     std::ostringstream body;
     accuracy(report, scenes, body);
@@ -142,9 +143,10 @@ void run(const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    CLI::App app("Measures AkiMap beside other maps, and writes BENCHMARK.md and its pictures.\n"
-                 "Scenes: simulated ones; LA3DM's in $LA3DM_DIR and a corridor in "
-                 "$AKIMAP_DATA/corridor, if there.");
+    CLI::App app(
+        "Measures AkiMap beside other maps, and writes BENCHMARK.md and its pictures.\n"
+        "Scenes: simulated ones; LA3DM's in $LA3DM_DIR and a corridor in "
+        "$AKIMAP_DATA/corridor, if there.");
     Request request;
     app.add_option("-o,--output", request.output, "The report")->capture_default_str();
     app.add_option("--pictures", request.pictures, "Folder for them")->capture_default_str();

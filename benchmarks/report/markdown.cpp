@@ -67,8 +67,8 @@ std::string image(const std::string& alternative, const std::string& path) {
 
 std::string describeMachine() {
     std::ostringstream out;
-    out << processor() << ", " << std::thread::hardware_concurrency() << " cores; GCC " << __VERSION__
-        << ", MRPT " << MRPT_VERSION_STR;
+    out << processor() << ", " << std::thread::hardware_concurrency() << " cores; GCC "
+        << __VERSION__ << ", MRPT " << MRPT_VERSION_STR;
     return out.str();
 }
 

@@ -56,10 +56,11 @@ std::string onTheFlySection(Report& report, const LidarDrive& drive, const std::
     const Method akimap = akimapMethods().front(), octomap = otherMethods().front();
     std::vector<Case> cases = {{akimap, 1, "AkiMap, 1 thread"}, {octomap, 1, octomap.name}};
     if (cores > 1)
-        cases.insert(cases.begin(), {akimap, cores, "AkiMap, " + std::to_string(cores) + " threads"});
+        cases.insert(cases.begin(),
+                     {akimap, cores, "AkiMap, " + std::to_string(cores) + " threads"});
 
-    MarkdownTable table({"method", "offered", "used", "lost", "update, median [ms]",
-                         "99th percentile [ms]"});
+    MarkdownTable table(
+        {"method", "offered", "used", "lost", "update, median [ms]", "99th percentile [ms]"});
     app::Panel panel;
     panel.x = {"update time [ms]", 0.0, std::nullopt, false}, panel.y = {"updates", 0.0, {}, false};
     for (std::size_t i = 0; i < cases.size(); i++) {

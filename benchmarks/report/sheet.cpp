@@ -18,8 +18,7 @@ using mrpt::img::CImage;
 constexpr int kColumns = 3, kTitle = 36;  // [pixels] of height
 constexpr int kPanelWidth = app::kPictureWidth / 2, kPanelHeight = app::kPictureHeight / 2;
 
-app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box,
-                    double resolution) {
+app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box, double resolution) {
     const BlockGrid grid(resolution);
     const double half = resolution / 2;
     app::MapView view{resolution, {}, occupancy};
@@ -35,8 +34,8 @@ app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box,
 }
 
 /** The truth as if it were a map. */
-app::OccupancyLookup lookupIn(const app::Truth& truth, const app::Box& box,
-                              app::CellSet& occupied, app::CellSet& free) {
+app::OccupancyLookup lookupIn(const app::Truth& truth, const app::Box& box, app::CellSet& occupied,
+                              app::CellSet& free) {
     const BlockGrid grid(truth.resolution);
     truth.forEachCell(box, [&](double x, double y, double z, bool is_occupied) {
         (is_occupied ? occupied : free).insert(grid.cellAt(x, y, z));
@@ -59,8 +58,8 @@ void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std
     panels.insert(panels.end(), maps.begin(), maps.end());
     app::ExportOptions options;
     options.slice = 1.0;
-    const auto viewpoint = app::chooseViewpoint(
-        viewOf(panels.front().occupancy, scene.box, resolution), options);
+    const auto viewpoint =
+        app::chooseViewpoint(viewOf(panels.front().occupancy, scene.box, resolution), options);
 
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
     CImage sheet(kColumns * kPanelWidth, rows * (kPanelHeight + kTitle), mrpt::img::CH_RGB);
@@ -69,8 +68,8 @@ void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std
     for (std::size_t i = 0; i < panels.size(); i++) {
         const int left = static_cast<int>(i % kColumns) * kPanelWidth;
         const int top = static_cast<int>(i / kColumns) * (kPanelHeight + kTitle);
-        CImage full = app::draw(viewOf(panels[i].occupancy, scene.box, resolution), viewpoint,
-                                options);
+        CImage full =
+            app::draw(viewOf(panels[i].occupancy, scene.box, resolution), viewpoint, options);
         CImage panel;
         full.scaleImage(panel, kPanelWidth, kPanelHeight, mrpt::img::IMG_INTERP_AREA);
         sheet.drawImage(left, top + kTitle, panel);

@@ -37,6 +37,13 @@ std::string createTemporary(const fs::path& file, const std::string& target) {
     refuse(target, "too many temporary files beside it");
 }
 
+bool samePlace(const std::string& a, const std::string& b) {
+    std::error_code ignored;
+    const auto place = fs::weakly_canonical(a, ignored);
+    return a == b || fs::equivalent(a, b, ignored) ||
+           (!place.empty() && place == fs::weakly_canonical(b, ignored));
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& target) : target_(target) {
@@ -74,6 +81,22 @@ void AtomicFile::commit() {
 
 void AtomicFile::checkWritable(const std::string& target) {
     const AtomicFile probe(target);
+}
+
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read) {
+    std::vector<std::string> taken = read;
+    for (const std::string& output : outputs) {
+        if (output.empty()) continue;
+        for (std::size_t i = 0; i < taken.size(); i++) {
+            const bool is_input = i < read.size();
+            const bool is_device = output.rfind("/dev/", 0) == 0;
+            if (samePlace(output, taken[i]) && (is_input || !is_device))
+                throw std::runtime_error(output + ": this output is " +
+                                         (is_input ? "an input too" : "given twice"));
+        }
+        AtomicFile::checkWritable(output);
+        taken.push_back(output);
+    }
 }
 
 }  // namespace akimap::app

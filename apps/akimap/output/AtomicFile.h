@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace akimap::app {
 
@@ -36,5 +37,10 @@ class AtomicFile {
     std::string path_;
     bool pending_ = false;  // a temporary is there to be renamed or removed
 };
+
+/** Before long work: all outputs can be written, none is named twice or is one of the files read.
+ * Empty names stand for files not asked for.
+ * \exception std::runtime_error naming the output */
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read);
 
 }  // namespace akimap::app

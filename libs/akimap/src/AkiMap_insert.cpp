@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
+#include <akimap/rays.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -11,7 +12,6 @@
 #include <stdexcept>
 
 #include "Scratch.h"
-#include "rays.h"
 
 namespace akimap {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include <akimap/AkiMap.h>
+#include <akimap/rays.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "hit_model.h"
-#include "rays.h"
 #include "returns.h"
 
 namespace akimap {

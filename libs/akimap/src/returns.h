@@ -3,6 +3,7 @@
 #pragma once
 
 #include <akimap/Ray.h>
+#include <akimap/rays.h>
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -10,8 +11,6 @@
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <cmath>
-
-#include "rays.h"
 
 // Room 1 for the likelihood, which a particle filter asks for thousands of times a scan: no list
 // of rays is made, and the sensor's frame is turned into the map's once.

@@ -36,15 +36,12 @@ Point along(const Ray& r, double fraction) {
     return p;
 }
 
-/** The range rule. Poses are applied in floating point: what equals a limit must stay equal. */
 bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
               InsertionStats& stats) {
-    constexpr double kRounding = 1e-6;
     if (!isFinite(r.origin) || !isFinite(r.end)) return ++stats.dropped_nonfinite, false;
     const double length = lengthOf(r);
     if (length == 0) return ++stats.dropped_zero, false;
-    if (length > p.max_range * (1 + kRounding) || length < p.min_range * (1 - kRounding))
-        return ++stats.dropped_range, false;
+    if (!p.takesLength(length)) return ++stats.dropped_range, false;
     if (!grid.covers(r.origin[0], r.origin[1], r.origin[2]) ||
         !grid.covers(r.end[0], r.end[1], r.end[2]))
         return ++stats.dropped_grid, false;

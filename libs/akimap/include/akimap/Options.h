@@ -58,6 +58,14 @@ struct InsertionParameters {
     uint64_t seed = 1;          ///< Seed of the free samples' random places
     uint32_t threads = 0;       ///< 0: all cores. The map does not depend on it
 
+    /** The range rule: whether a return of this length [m] of its ray is used. Poses are applied in
+     * floating point: what equals a limit must stay equal. */
+    [[nodiscard]] bool takesLength(double length) const {
+        constexpr double kRounding = 1e-6;
+        return length > 0 && length <= max_range * (1 + kRounding) &&
+               length >= min_range * (1 - kRounding);
+    }
+
     /** \exception std::invalid_argument naming the parameter and its value. */
     void validate() const;
 };
