@@ -17,7 +17,7 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
   libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri xvfb xauth
 
-.PHONY: all configure deps demo test bench asan tsan test-viewers test-trixie format clean help
+.PHONY: all configure deps demo test bench doc-mrpt asan tsan test-viewers test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -51,6 +51,11 @@ bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
 
+# The tables of doc/mrpt.md, for the MRPT that is installed here.
+doc-mrpt: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target mrpt_table -- --no-print-directory
+	@$(BUILD)/bin/mrpt_table --write doc/mrpt.md
+
 asan tsan: deps
 	@cmake --preset $@ >/dev/null
 	@$(MAKE) --no-print-directory test BUILD=build-$@
@@ -74,6 +79,7 @@ help:
 	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
 	@echo "make test    build and run every test (AKIMAP_DATA=$(AKIMAP_DATA))"
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
+	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"
 	@echo "make tsan    the tests under ThreadSanitizer"
 	@echo "make test-viewers   RawLogViewer and SceneViewer3D on a virtual screen (xvfb, xdotool)"
