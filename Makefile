@@ -18,7 +18,7 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libcairo2-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libxml2-utils \
   libegl1 libgl1-mesa-dri xvfb xauth xdotool netpbm
 
-.PHONY: all configure deps demo test bench asan tsan test-trixie format clean help
+.PHONY: all configure deps demo test bench benchmark doc-mrpt asan tsan test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -52,6 +52,11 @@ bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
 
+# The tables of doc/mrpt.md, for the MRPT that is installed here.
+doc-mrpt: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target mrpt_table -- --no-print-directory
+	@$(BUILD)/bin/mrpt_table --write doc/mrpt.md
+
 asan tsan: deps
 	@cmake --preset $@ >/dev/null
 	@$(MAKE) --no-print-directory test BUILD=build-$@
@@ -70,6 +75,7 @@ help:
 	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
 	@echo "make test    build and run every test (AKIMAP_DATA=$(AKIMAP_DATA))"
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
+	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"
 	@echo "make tsan    the tests under ThreadSanitizer"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/evaluate.h"
 #include "scenes.h"
 
 namespace akimap::bench {

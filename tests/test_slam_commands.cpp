@@ -6,6 +6,10 @@
 #include <gtest/gtest.h>
 #include <mrpt/system/filesystem.h>
 
+#include <chrono>
+#include <thread>
+
+#include "background.h"
 #include "run_program.h"
 
 namespace {
@@ -135,6 +139,50 @@ TEST_F(SlamCommands, ErrorsAreOneLine) {
     writeText(file("bad.rawlog"), "this is not what MRPT writes");
     expectRefused("slam " + icpIni("akimap_count = 1") + " " + file("bad.rawlog"),
                   {"bad.rawlog: object 1"});
+}
+
+/** Whether a file whose name ends so is, or within a minute comes to be, below the folder. */
+bool appears(const std::string& folder, const std::string& ending) {
+    namespace fs = std::filesystem;
+    for (int i = 0; i < 6000; i++) {
+        std::error_code error;  // folders come and go meanwhile
+        for (fs::recursive_directory_iterator e(folder, error), end; !error && e != end;
+             e.increment(error)) {
+            const std::string name = e->path().filename().string();
+            const auto at = name.rfind(ending);
+            if (at != std::string::npos && at + ending.size() == name.size()) return true;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+}
+
+TEST_F(SlamCommands, AnInterruptEndsTheLogThereAndTheResultsAreWritten) {
+    const std::string shipped = std::string(AKIMAP_SOURCE_DIR) + "/share/akimap/config_files/";
+    struct Case {
+        std::string arguments, started;
+        std::chrono::milliseconds then;
+        std::ptrdiff_t poses;  ///< of the whole log
+    };
+    for (const Case& c : {Case{"slam " + shipped + "rbpf-slam.ini " + quoted_log,
+                               "log_estimated_path.txt", std::chrono::milliseconds(500), 224},
+                          Case{"localize " + shipped + "pf-localization.ini " + share +
+                                   "datasets/localization_demo.rawlog",
+                               ".akimap", std::chrono::milliseconds(0), 37}}) {
+        const std::string out = file("out");
+        std::filesystem::remove_all(out);
+        Background program(c.arguments + " -o " + out, file("said"));
+        ASSERT_TRUE(appears(out, c.started));
+        std::this_thread::sleep_for(c.then);
+        program.interrupt();
+        const ::Run run = program.wait();
+        EXPECT_EQ(run.exit, 0) << run.err;
+        const auto map = akimap::AkiMap::loadFromFile(out + "/map.akimap");
+        EXPECT_TRUE(holds(run.out, " " + std::to_string(map->cellCount()) + " ")) << run.out;
+        const std::string trajectory = readText(out + "/trajectory.tum");
+        const auto poses = std::count(trajectory.begin(), trajectory.end(), '\n') - 1;
+        EXPECT_LT(poses, c.poses) << c.arguments;
+    }
 }
 
 TEST_F(SlamCommands, HelpTellsHowTheMethodIsChosen) {

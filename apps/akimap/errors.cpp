@@ -31,6 +31,8 @@ std::string oneLine(const std::string& text) {
 std::string reasonOf(std::string what) {
     what = between(what, "Original exception:\n", std::string(1, '\0'));
     if (what.find("Call stack backtrace:") == std::string::npos) return oneLine(what);
+    if (what.find("Message:") == std::string::npos)  // of an exception that MRPT only passed on
+        return oneLine(between(what, "MRPT exception ====\n", "\nCall stack"));
     const std::string message = oneLine(between(what, "Message:", "\nLocation:"));
     return message.empty() ? oneLine(between(what, "\nLocation:", "\n")) : message;
 }
