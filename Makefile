@@ -14,8 +14,9 @@ CMAKE_FLAGS ?=
 
 PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libmrpt-hwdrivers-dev libmrpt-topography-dev mrpt-apps mrpt-common zlib1g-dev \
-  libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev libcairo2-dev \
-  fonts-dejavu-core libgtest-dev libbenchmark-dev libegl1 libgl1-mesa-dri xvfb xauth
+  libeigen3-dev libtbb-dev libnanoflann-dev libcli11-dev nlohmann-json3-dev liboctomap-dev \
+  libcairo2-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libxml2-utils \
+  libegl1 libgl1-mesa-dri xvfb xauth
 
 .PHONY: all configure deps demo test bench asan tsan test-viewers test-trixie format clean help
 .DEFAULT_GOAL := all

@@ -42,6 +42,8 @@ Row mean(std::vector<Row> rows) {
     for (const auto scores : {&app::Evaluation::known, &app::Evaluation::all}) {
         average([&](Row& r) -> double& { return (r.evaluation.*scores).auc; });
         average([&](Row& r) -> double& { return (r.evaluation.*scores).mse; });
+        average([&](Row& r) -> double& { return (r.evaluation.*scores).log_loss; });
+        average([&](Row& r) -> double& { return (r.evaluation.*scores).calibration_error; });
         average([&](Row& r) -> double& { return (r.evaluation.*scores).occupied.precision; });
         average([&](Row& r) -> double& { return (r.evaluation.*scores).occupied.recall; });
         average([&](Row& r) -> double& { return (r.evaluation.*scores).free.precision; });

@@ -46,6 +46,7 @@ class Compare : public ::testing::Test {
     [[nodiscard]] nlohmann::json json(const std::string& arguments) const {
         const auto run = eval(arguments + " --json e.json");
         EXPECT_EQ(run.exit, 0) << run.err;
+        EXPECT_EQ(run.err, "");
         return nlohmann::json::parse(readText(file("e.json")));
     }
     TemporaryFolder folder;
@@ -178,12 +179,25 @@ TEST_F(Compare, BadRequestsAreRefusedBeforeTheWork) {
     expectRefused(base + "--json truth.bt", "input");
     expectRefused(base + "--compare none.akimap --roc r.png", "none.akimap");
     expectRefused(base + "--compare", "--compare");
+    expectRefused(base + "--json /dev/full", "/dev/full");
     AkiMap fine(0.05);
     fine.insertRays(akimap::test::randomScan(1, 100));
     fine.saveToFile(file("fine.akimap"));
     expectRefused(base + "--compare fine.akimap --roc r.png", "fine.akimap");
     EXPECT_EQ(readText(file("r.png")), "older");
     EXPECT_FALSE(std::filesystem::exists(file("c.png")));
+}
+
+TEST_F(Compare, WithItselfAMapDiffersByNothing) {
+    const auto run = eval("m.akimap --truth truth.bt --compare m.akimap");
+    for (const char* name : {"auc", "mse", "coverage"})
+        EXPECT_EQ(row(run.out, name).back(), "0.0000") << run.out;
+}
+
+TEST_F(Compare, NamesThatAreNoUtf8AreWrittenAllTheSame) {
+    std::filesystem::copy(file("less.akimap"), file("l\xff.akimap"));
+    const auto all = json("m.akimap --truth truth.bt --compare 'l\xff.akimap' --roc r.png");
+    EXPECT_EQ(all.at("compare")[0].at("map"), "l\uFFFD.akimap");
 }
 
 TEST_F(Compare, DamagedOctoMapsAreRefused) {

@@ -96,6 +96,22 @@ TEST_F(Plot, NamesThatAreNoUtf8AreDrawnAllTheSame) {
     EXPECT_EQ(readText(folder.file("p.svg")).find('\xff'), std::string::npos);
 }
 
+TEST_F(Plot, LongNamesAreCutToFitBetweenTheAxes) {
+    Figure figure = someFigure();
+    const auto before = png(figure);
+    figure.panels[0].curves[0].name = std::string(300, 'x') + "é end";
+    const auto after = png(figure);
+    int changed_beside = 0, changed_inside = 0;
+    for (unsigned y = 0; y < before.getHeight(); y++)
+        for (unsigned x = 0; x < before.getWidth(); x++) {
+            const bool beside = x < 80 || x + 45 > before.getWidth();
+            (beside ? changed_beside : changed_inside) +=
+                *before.ptr<uint8_t>(x, y) != *after.ptr<uint8_t>(x, y);
+        }
+    EXPECT_EQ(changed_beside, 0);
+    EXPECT_GT(changed_inside, 1000);
+}
+
 TEST_F(Plot, WhatIsNotFiniteIsLeftOut) {
     Figure figure = someFigure();
     Panel& panel = figure.panels[0];

@@ -34,25 +34,6 @@ uint64_t countNodes(std::istream& in, int depth = 0) {
     return nodes;
 }
 
-std::unique_ptr<octomap::OcTree> readBt(const std::string& file) {
-    (void)readTruth(file, "the map");
-    auto tree = std::make_unique<octomap::OcTree>(1.);
-    return tree->readBinary(file) ? std::move(tree) : nullptr;
-}
-
-std::unique_ptr<octomap::OcTree> readOt(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    const OctoMapHeader header = readOctoMapHeader(in, "# Octomap OcTree file");
-    if (header.id != "OcTree" || !std::isfinite(header.resolution) || header.resolution <= 0)
-        return nullptr;
-    if (header.size > 0 && countNodes(in) != header.size) return nullptr;
-    in.clear();
-    in.seekg(0);
-    std::unique_ptr<octomap::AbstractOcTree> tree(octomap::AbstractOcTree::read(in));
-    if (!dynamic_cast<octomap::OcTree*>(tree.get())) return nullptr;
-    return std::unique_ptr<octomap::OcTree>(dynamic_cast<octomap::OcTree*>(tree.release()));
-}
-
 }  // namespace
 
 OctoMapHeader readOctoMapHeader(std::istream& in, const std::string& first_line) {
@@ -77,10 +58,20 @@ bool isOctoMapFile(const std::string& file) {
 }
 
 std::unique_ptr<octomap::OcTree> readOctoMap(const std::string& file) {
-    auto tree = std::filesystem::path(file).extension() == ".bt" ? readBt(file) : readOt(file);
-    if (!tree)
+    const bool binary = std::filesystem::path(file).extension() == ".bt";
+    if (binary) (void)readTruth(file, "the map");
+    std::ifstream in(file, std::ios::binary);
+    const OctoMapHeader header =
+        readOctoMapHeader(in, binary ? "# Octomap OcTree binary file" : "# Octomap OcTree file");
+    const auto data = in.tellg();
+    if (header.id != "OcTree" || !std::isfinite(header.resolution) || header.resolution <= 0 ||
+        (!binary && header.size > 0 && countNodes(in) != header.size))
         throw std::runtime_error("the map '" + file +
                                  "' is missing, damaged or not an OctoMap tree (OcTree)");
+    auto tree = std::make_unique<octomap::OcTree>(header.resolution);
+    in.clear();
+    in.seekg(data);
+    if (header.size > 0) binary ? tree->readBinaryData(in) : tree->readData(in);
     return tree;
 }
 

@@ -25,7 +25,8 @@ struct OctoMapHeader {
 [[nodiscard]] bool isOctoMapFile(const std::string& file);
 
 /** Reads a tree from a .bt (each leaf at OctoMap's clamping probabilities, 0.12 or 0.97) or a .ot.
- * What OctoMap's own readers would choke on is found before they see it.
+ * Damage is found before OctoMap's readers, which recurse without bound, see it; those of whole
+ * files print to stderr.
  * \exception std::runtime_error naming the file if it is missing, damaged or no such tree */
 [[nodiscard]] std::unique_ptr<octomap::OcTree> readOctoMap(const std::string& file);
 

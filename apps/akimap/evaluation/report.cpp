@@ -35,6 +35,7 @@ std::string shown(double value) {
 }
 
 std::string shownSigned(double value) {
+    if (std::abs(value) < 5e-5) return shown(0);  // not -0.0000
     return (value > 0 ? "+" : "") + shown(value);
 }
 
@@ -69,7 +70,7 @@ void print(const std::vector<Columns>& groups, std::ostream& out) {
         out << std::left << std::setw(20) << name << std::right;
         for (const Columns& g : groups) {
             const auto& [known, all] = cell(g);
-            out << std::setw(12) << known << std::setw(12) << all;
+            out << std::setw(10) << known << std::setw(10) << all;
         }
         out << "\n";
     };

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "output/plot/Canvas.h"
@@ -21,7 +22,7 @@ class PanelPainter {
 
  private:
     struct LegendEntry {
-        const std::string& name;
+        std::string name;
         Color color;
         bool bar, dashed, marker;
     };

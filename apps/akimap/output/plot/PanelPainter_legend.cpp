@@ -12,6 +12,17 @@ namespace {
 
 constexpr double kLegendRow = 19, kLegendSample = 26, kLegendMargin = 9;
 
+/** Leaves out what does not fit at the front: names end in what tells them apart. */
+std::string fitted(std::string words, double width, Canvas& canvas) {
+    if (canvas.textWidth(words, kSmall) <= width) return words;
+    const auto continues = [&] { return (static_cast<unsigned char>(words[0]) & 0xC0) == 0x80; };
+    do {
+        words.erase(0, 1);
+        while (!words.empty() && continues()) words.erase(0, 1);
+    } while (!words.empty() && canvas.textWidth("…" + words, kSmall) > width);
+    return "…" + words;
+}
+
 }  // namespace
 
 std::vector<PanelPainter::LegendEntry> PanelPainter::legend() const {
@@ -61,13 +72,16 @@ Rect PanelPainter::quietestCorner(double width, double height) const {
 }
 
 void PanelPainter::drawLegend() {
-    const auto entries = legend();
+    auto entries = legend();
     if (entries.empty()) return;
+    constexpr double kBesideName = kLegendSample + 2 * kLegendMargin + 7;
     double widest = 0;
-    for (const LegendEntry& e : entries)
+    for (LegendEntry& e : entries) {
+        e.name = fitted(e.name, .9 * area_.width - kBesideName, canvas_);
         widest = std::max(widest, canvas_.textWidth(e.name, kSmall));
-    const Rect box = quietestCorner(widest + kLegendSample + 2 * kLegendMargin + 7,
-                                    kLegendRow * static_cast<double>(entries.size()) + 8);
+    }
+    const Rect box =
+        quietestCorner(widest + kBesideName, kLegendRow * static_cast<double>(entries.size()) + 8);
     canvas_.fill(box, {1, 1, 1}, .88);
     canvas_.frame(box, {kGrid});
     double y = box.top + 4 + kLegendRow / 2;

@@ -26,7 +26,7 @@ Canvas::Format formatOf(const std::string& file) {
 }
 
 void draw(const Figure& figure, Canvas& canvas) {
-    constexpr double kGap = 16, kBelow = 50, kRight = 26;
+    constexpr double kGap = 20, kBelow = 50, kRight = 26;
     std::deque<PanelPainter> painters;
     double widest = 0, shares = 0, room = figure.height - (figure.title.empty() ? 0 : 26);
     for (const Panel& panel : figure.panels) {
