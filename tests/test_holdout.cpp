@@ -238,6 +238,9 @@ TEST_F(Holdout, Refusals) {
     refused(pcd + "--follow", "--follow");
     refused(pcd + "--roc " + file("roc.txt"), "roc.txt");
     refused(pcd + "--roc " + file("a.png") + " --calibration " + file("a.png"), "twice");
+    const auto full = runProgram("holdout " + pcd + pcd + "--every 2 --json /dev/full");
+    EXPECT_EQ(full.exit, 1);
+    EXPECT_TRUE(holds(full.err, "/dev/full")) << full.err;
     const auto run = runProgram("holdout " + pcd + "--json " + pcd);
     EXPECT_EQ(run.exit, 1);
     EXPECT_TRUE(holds(run.err, "this output is an input too")) << run.err;
