@@ -93,6 +93,18 @@ TEST(Queries, OnlyOfTheGivenScansAndWithinTheRanges) {
     EXPECT_THROW(static_cast<void>(collect(lookup, scans, {3}, ranges)), std::runtime_error);
 }
 
+TEST(OctomapScan, EachRayOfAMovingSensorBeginsAtItsOwnOrigin) {
+    const std::vector<Ray> rays = {
+        {{0, 0, 1}, {2, 0, 1}}, {{0, 0, 1}, {2, 1, 1}}, {{0, 3, 1}, {2, 3, 1}}};
+    mrpt::maps::COctoMap map(0.1);
+    insertRays(map, rays);
+    const auto occupancy = lookupIn(map);
+    EXPECT_GT(occupancy(2.05, 0.05, 1.05).value_or(0), 0.5);
+    EXPECT_GT(occupancy(2.05, 3.05, 1.05).value_or(0), 0.5);
+    EXPECT_LT(occupancy(1.05, 3.05, 1.05).value_or(1), 0.5) << "on the way from its own origin";
+    EXPECT_FALSE(occupancy(1.05, 1.55, 1.05)) << "on the way from the first ray's";
+}
+
 // The command -------------------------------------------------------------------------------
 
 class Holdout : public Build {
@@ -190,6 +202,20 @@ TEST_F(Holdout, PlotsNameAllThreeMaps) {
             EXPECT_TRUE(holds(readText(file(plot)), map)) << plot << " lacks " << map;
 }
 
+TEST_F(Holdout, AMovingVelodyneHasAPoseForEachPacket) {
+    const auto simulated =
+        runProgram("simulate structured --sensor velodyne --moving -o " + folder.path().string());
+    ASSERT_EQ(simulated.exit, 0) << simulated.err;
+    // The simplemap holds the same scans with one pose each.
+    const auto ignored = figuresOf(file("scene.simplemap") + " --every 4");
+    const auto heeded =
+        figuresOf(file("scene.rawlog") + " --trajectory " + file("trajectory.tum") + " --every 4");
+    for (const char* map : {"AkiMap", "isotropic", "COctoMap"})
+        EXPECT_GT(heeded[map]["known_auc"].get<double>(),
+                  ignored[map]["known_auc"].get<double>() + 0.05)
+            << map;
+}
+
 TEST_F(Holdout, Refusals) {
     const auto refused = [&](const std::string& arguments, const std::string& part) {
         const auto run = holdout(arguments);
@@ -212,6 +238,9 @@ TEST_F(Holdout, Refusals) {
     refused(pcd + "--follow", "--follow");
     refused(pcd + "--roc " + file("roc.txt"), "roc.txt");
     refused(pcd + "--roc " + file("a.png") + " --calibration " + file("a.png"), "twice");
+    const auto full = runProgram("holdout " + pcd + pcd + "--every 2 --json /dev/full");
+    EXPECT_EQ(full.exit, 1);
+    EXPECT_TRUE(holds(full.err, "/dev/full")) << full.err;
     const auto run = runProgram("holdout " + pcd + "--json " + pcd);
     EXPECT_EQ(run.exit, 1);
     EXPECT_TRUE(holds(run.err, "this output is an input too")) << run.err;

@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
-#include <stdexcept>
 
 #include "output/AtomicFile.h"
 
@@ -115,12 +113,7 @@ void writeJson(const BuildReport& report, const std::string& file) {
     for (const auto& [name, count] : report.skipped.unusable) unusable += count;
     json["skipped_observations"] = unusable;
     for (const SkipCount& skip : skipCounts(report)) json[skip.key] = skip.count;
-    AtomicFile target(file);
-    std::ofstream out(target.path());
-    out << json.dump(2) << "\n";
-    out.close();
-    if (!out) throw std::runtime_error(file + ": can't be written");
-    target.commit();
+    writeWhole(file, json.dump(2) + "\n");
 }
 
 uint64_t peakMemoryBytes() {

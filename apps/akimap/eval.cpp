@@ -9,7 +9,6 @@
 #include "evaluation/octomap_file.h"
 #include "evaluation/report.h"
 #include "output/AtomicFile.h"
-#include "output/stream.h"
 
 namespace akimap::app {
 
@@ -47,16 +46,9 @@ ScoredCells cellsOf(const std::string& file, const EvalRequest& request, const T
 }
 
 void writeJson(const std::vector<Judgement>& maps, const std::string& name) {
-    AtomicFile file(name);
-    try {
-        std::ofstream out = openForWriting(file.path());
-        // A file's name need not be UTF-8.
-        out << toJson(maps).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
-        closeWritten(out);
-    } catch (const std::exception& e) {
-        throw std::runtime_error("cannot write '" + name + "': " + e.what());
-    }
-    file.commit();
+    // A file's name need not be UTF-8.
+    writeWhole(name,
+               toJson(maps).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void run(const EvalRequest& request) {

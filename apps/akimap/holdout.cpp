@@ -5,7 +5,6 @@
 #include <mrpt/core/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -15,7 +14,6 @@
 #include "evaluation/report.h"
 #include "map_options.h"
 #include "output/AtomicFile.h"
-#include "output/stream.h"
 #include "scan_feed.h"
 
 namespace akimap::app {
@@ -105,11 +103,7 @@ void writeJson(const Contest& contest, const Results& results, const std::string
                                 {"queries", results.figures.front()["all_cells"]}};
     for (std::size_t i = 0; i < results.maps.size(); i++)
         json[results.maps[i].name] = results.figures[i];
-    AtomicFile target(file);
-    std::ofstream out = openForWriting(target.path());
-    out << json.dump(2) << "\n";
-    closeWritten(out);
-    target.commit();
+    writeWhole(file, json.dump(2) + "\n");
 }
 
 void run(const HoldoutRequest& request) {

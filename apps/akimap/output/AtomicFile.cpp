@@ -11,6 +11,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "output/stream.h"
+
 namespace fs = std::filesystem;
 
 namespace akimap::app {
@@ -97,6 +99,18 @@ void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std
         AtomicFile::checkWritable(output);
         taken.push_back(output);
     }
+}
+
+void writeWhole(const std::string& target, const std::string& bytes) {
+    AtomicFile file(target);
+    try {
+        std::ofstream out = openForWriting(file.path());
+        out << bytes;
+        closeWritten(out);
+    } catch (const std::exception& e) {
+        refuse(target, e.what());
+    }
+    file.commit();
 }
 
 }  // namespace akimap::app

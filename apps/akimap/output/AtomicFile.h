@@ -43,4 +43,7 @@ class AtomicFile {
  * \exception std::runtime_error naming the output */
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read);
 
+/** Writes a file whole or not at all. \exception std::runtime_error naming it */
+void writeWhole(const std::string& target, const std::string& bytes);
+
 }  // namespace akimap::app
