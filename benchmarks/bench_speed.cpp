@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-// Insertion time of AkiMap beside MRPT's COctoMap, alternating in one process: quote the ratios.
+// Insertion time of AkiMap and of BGKOctoMap beside MRPT's COctoMap, alternating in one process:
+// quote the ratios.
 
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt/system/CTicTac.h>
@@ -8,6 +9,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "rivals/BgkLOctoMap.h"
+#include "rivals/BgkOctoMap.h"
 #include "scenes.h"
 
 using namespace akimap;
@@ -45,13 +48,20 @@ double insertIntoOctoMap(const std::vector<bench::PointCloudScan>& scans) {
     return clock.Tac();
 }
 
+template <class Map>
+double insertInto(Map map, const bench::Scene& scene) {
+    mrpt::system::CTicTac clock;
+    for (const auto& scan : scene.scans) map.insert(scan);
+    return clock.Tac();
+}
+
 void compare(const bench::Scene& scene) {
     if (scene.scans.empty())
         return void(std::printf("%s: not in $AKIMAP_DATA, skipped\n", scene.name.c_str()));
+    const bench::Scene near = scene.within(kMaxRange);
     std::vector<bench::PointCloudScan> scans;
-    for (const auto& scan : scene.within(kMaxRange).scans)
-        scans.push_back(bench::asPointCloud(scan));
-    std::vector<double> octomap, one, two, ratio, speedup;
+    for (const auto& scan : near.scans) scans.push_back(bench::asPointCloud(scan));
+    std::vector<double> octomap, one, two, ratio, speedup, bgk, bgkl;
     Times last{};
     insertIntoAkiMap(scans, 1);  // warm up
     for (int i = 0; i < kPairs; i++) {
@@ -61,6 +71,8 @@ void compare(const bench::Scene& scene) {
         two.push_back(insertIntoAkiMap(scans, 2).seconds);
         ratio.push_back(one.back() / octomap.back());
         speedup.push_back(one.back() / two.back());
+        bgk.push_back(insertInto(bench::BgkOctoMap(), near) / octomap.back());
+        bgkl.push_back(insertInto(bench::BgkLOctoMap(), near) / octomap.back());
     }
     const auto& s = last.stats;
     std::printf("%s, %zu scans within %g m, medians of %d rounds\n", scene.name.c_str(),
@@ -72,6 +84,8 @@ void compare(const bench::Scene& scene) {
         median(one), median(ratio), s.seconds_sampling, s.seconds_bandwidth, s.seconds_update);
     std::printf("  AkiMap, 2 threads  %.3f s   %.2f times as fast as 1\n", median(two),
                 median(speedup));
+    std::printf("  BGKOctoMap, 1 thread                %.2f x COctoMap's time\n", median(bgk));
+    std::printf("  BGKOctoMap-L (0.3 m), 1 thread      %.2f x COctoMap's time\n", median(bgkl));
     std::printf("  map memory         %.1f bytes a cell with evidence\n", last.bytes_per_cell);
 }
 

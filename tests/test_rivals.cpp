@@ -193,10 +193,10 @@ TEST_P(La3dmScene, ScoresAsLa3dmsOwnCode) {
     const auto e =
         app::evaluate([&](double x, double y, double z) { return map.occupancy(x, y, z); }, 0.05,
                       app::readTruth(folder + "truth_5cm.bt"), {{0, 0, 0}, {7.25, 10.2, 2.1}});
-    EXPECT_NEAR(e.known.auc, m.auc, 0.005);
-    EXPECT_NEAR(e.known.mse, m.mse, 0.005);
-    EXPECT_NEAR(e.all.auc, m.all_auc, 0.005);
-    EXPECT_NEAR(e.all.mse, m.all_mse, 0.005);
+    EXPECT_NEAR(e.known.auc, m.auc, 0.003);
+    EXPECT_NEAR(e.known.mse, m.mse, 0.003);
+    EXPECT_NEAR(e.all.auc, m.all_auc, 0.003);
+    EXPECT_NEAR(e.all.mse, m.all_mse, 0.003);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rivals, La3dmScene,

@@ -22,7 +22,9 @@ struct BgkOptions {
     double free_threshold = 0.3;      ///< cells with a lower occupancy are free
     double occupied_threshold = 0.7;  ///< cells with a higher one are occupied
     double variance_threshold = 100;  ///< cells of higher variance are neither
-    double min_evidence = 0;          ///< smaller sums of kernels from one block are left out
+    /** Smaller sums of kernels from one block are left out: in LA3DM what single precision makes
+     * zero or less, a kernel below about 5e-8. */
+    double min_evidence = 5e-8;
 };
 
 /** The map of BGKOctoMap and BGKOctoMap-L (Doherty et al., T-RO 2019): test-data octrees, blocks of

@@ -147,14 +147,15 @@ std::vector<CellIndex> cellsOnRay(const Ray& ray, double resolution) {
     return cells;
 }
 
-void GmmMap::update(const CellIndex& c, double occupancy) {
+bool GmmMap::update(const CellIndex& c, double occupancy) {
     const auto [i, is_new] = index_.insert(packKey(c), static_cast<uint32_t>(cells_.size()));
     if (is_new) cells_.push_back({0, 0});
-    if (cells_[i].scan == scan_) return;
+    if (cells_[i].scan == scan_) return false;
     cells_[i] = {std::clamp(cells_[i].log_odds + static_cast<float>(logOdds(occupancy)),
                             static_cast<float>(logOdds(options_.lowest)),
                             static_cast<float>(logOdds(options_.highest))),
                  scan_};
+    return true;
 }
 
 void GmmMap::insert(const std::vector<Ray>& scan) {
@@ -172,10 +173,11 @@ void GmmMap::insert(const std::vector<Ray>& scan) {
     seconds_fitting_ += clock.Tac();
 
     scan_++;
-    std::vector<Ray> rays;
-    for (const auto& p : sample(mixture, options_.samples, random_))
-        rays.push_back({from.origin, {p.x(), p.y(), p.z()}});
-    for (const Ray& r : rays) update(cellOf(r.end, options_.resolution), options_.hit);
+    std::vector<Ray> rays;  // one to each hit cell
+    for (const auto& p : sample(mixture, options_.samples, random_)) {
+        const Ray r{from.origin, {p.x(), p.y(), p.z()}};
+        if (update(cellOf(r.end, options_.resolution), options_.hit)) rays.push_back(r);
+    }
     for (const Ray& r : rays)
         for (const CellIndex& c : cellsOnRay(r, options_.resolution)) update(c, options_.miss);
 }

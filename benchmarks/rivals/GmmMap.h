@@ -46,8 +46,8 @@ struct GmmOptions {
 };
 
 /** GMM-OM (O'Meadhra, Tabib, Michael, RA-L 2019): each scan's hits become a mixture of Gaussians,
- * which is sampled; rays from the sensor to the samples update an occupancy grid's log-odds. In
- * one scan a cell is updated once, a hit before a miss. */
+ * which is sampled; rays from the sensor to the samples, one to each cell that has any, update an
+ * occupancy grid's log-odds. In one scan a cell is updated once, a hit before a miss. */
 class GmmMap : public Rival {
  public:
     explicit GmmMap(const GmmOptions& options = {})
@@ -57,7 +57,8 @@ class GmmMap : public Rival {
     [[nodiscard]] double secondsFitting() const { return seconds_fitting_; }
 
  private:
-    void update(const CellIndex& cell, double occupancy);
+    /** \return false if this scan has updated the cell before */
+    bool update(const CellIndex& cell, double occupancy);
 
     GmmOptions options_;
     std::mt19937 random_;
