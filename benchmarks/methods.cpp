@@ -21,6 +21,10 @@
 namespace akimap::bench {
 namespace {
 
+float toFloat(double v) {
+    return static_cast<float>(v);
+}
+
 class AkiMapUnderTest : public MapUnderTest {
  public:
     AkiMapUnderTest(const MapSettings& s, const std::function<void(InsertionParameters&)>& set)
@@ -48,7 +52,7 @@ class MrptTree : public MapUnderTest {
     }
     std::optional<double> occupancy(double x, double y, double z) const override {
         double p = 0;
-        if (!map_.getPointOccupancy(x, y, z, p)) return std::nullopt;
+        if (!map_.getPointOccupancy(toFloat(x), toFloat(y), toFloat(z), p)) return std::nullopt;
         return p;
     }
 
@@ -72,8 +76,8 @@ class MrptGrid3D : public MapUnderTest {
     }
     /** A voxel never updated has exactly the log-odds 0. */
     std::optional<double> occupancy(double x, double y, double z) const override {
-        const auto f = [](double v) { return static_cast<float>(v); };
-        const double p = 1.0 - static_cast<double>(map_.getFreenessByPos(f(x), f(y), f(z)));
+        const double p =
+            1.0 - static_cast<double>(map_.getFreenessByPos(toFloat(x), toFloat(y), toFloat(z)));
         if (p == 0.5) return std::nullopt;
         return p;
     }

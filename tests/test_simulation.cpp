@@ -391,13 +391,11 @@ TEST(Simulate, filesReadBackAndDependOnTheSeedOnly) {
         for (std::size_t i = 0; i < 12; i++) {
             const auto obs = log.getAsObservation(i);
             EXPECT_FALSE(obs->sensorLabel.empty());
-            mrpt::poses::CPose3DPDF::Ptr pose;
-            mrpt::obs::CSensoryFrame::Ptr frame;
-            map.get(i, pose, frame);
-            const CPose3D mean = pose->getMeanVal(), at = interpolate(path, obs->timestamp);
+            const auto& keyframe = *(map.begin() + static_cast<std::ptrdiff_t>(i));
+            const CPose3D mean = keyframe.pose->getMeanVal(), at = interpolate(path, obs->timestamp);
             EXPECT_LT(mean.distanceTo(at), 1e-3);
             EXPECT_LT((mean - at).asTPose().norm(), 1e-3);
-            EXPECT_EQ(frame->getObservationByIndex(0)->timestamp, obs->timestamp);
+            EXPECT_EQ(keyframe.sf->getObservationByIndex(0)->timestamp, obs->timestamp);
         }
         octomap::OcTree truth(1);
         ASSERT_TRUE(truth.readBinary(drive + "truth.bt"));

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "report/markdown.h"
 
-#include <mrpt/version.h>
+#include <mrpt/system/os.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ std::string image(const std::string& alternative, const std::string& path) {
 std::string describeMachine() {
     std::ostringstream out;
     out << processor() << ", " << std::thread::hardware_concurrency() << " cores; GCC "
-        << __VERSION__ << ", MRPT " << MRPT_VERSION_STR;
+        << __VERSION__ << ", MRPT " << mrpt::system::MRPT_getVersion();
     return out.str();
 }
 
