@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/evaluate.h"
 #include "scenes.h"
 
 namespace akimap::bench {
