@@ -48,6 +48,12 @@ demo: configure
 test: all
 	@cd $(BUILD) && ctest --output-on-failure --progress -j$(JOBS)
 
+# BENCHMARK.md and its pictures: every figure in them, in some ten minutes.
+benchmark: export LA3DM_DIR ?= $(AKIMAP_DATA)/la3dm
+benchmark: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target benchmark_report -- --no-print-directory
+	@$(BUILD)/bin/benchmark_report --commit "$$(git rev-parse --short HEAD 2>/dev/null || echo unknown)"
+
 bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
@@ -76,6 +82,7 @@ help:
 	@echo "make test    build and run every test (AKIMAP_DATA=$(AKIMAP_DATA))"
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
 	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
+	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md (LA3DM_DIR=...)"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"
 	@echo "make tsan    the tests under ThreadSanitizer"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"

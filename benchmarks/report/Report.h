@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace akimap::bench {
@@ -14,7 +15,8 @@ struct Report {
     std::string pictures_link;                      ///< the same as seen from the report
     int seeds = 10;                                 ///< runs to average, of what is random
     std::function<void(const std::string&)> doing;  ///< gets what comes next, for people who wait
-    std::vector<std::string> lost;  ///< figures at which AkiMap is not the best, filled by sections
+    /** Where AkiMap is not the best: a scene and a figure. Filled by the sections. */
+    std::vector<std::pair<std::string, std::string>> lost;
 };
 
 }  // namespace akimap::bench

@@ -5,30 +5,30 @@
 #include <algorithm>
 #include <map>
 
-#include "evaluation/report.h"
-#include "report/figures.h"
 #include "report/markdown.h"
 #include "report/sheet.h"
 
 namespace akimap::bench {
 namespace {
 
-/** What one method came to. */
-struct Outcome {
-    Row row;
-    app::Judgement judgement;  ///< of the first seed
-    BuiltMap first;            ///< the map of the first seed
-    double seconds;            ///< median
-};
+double secondsOf(const std::vector<Outcome>& outcomes, const std::string& name) {
+    for (const Outcome& o : outcomes)
+        if (o.row.name == name) return o.seconds;
+    throw std::logic_error("no row " + name);
+}
 
-Outcome judgeMethod(const Report& report, const Method& method, const Scene& scene,
-                    const std::vector<PreparedScan>& scans) {
+}  // namespace
+
+Outcome judgeMethod(const Method& method, const Scene& scene,
+                    const std::vector<PreparedScan>& scans, int seeds, unsigned threads) {
     std::vector<app::Evaluation> runs;
     std::vector<double> seconds;
     Outcome outcome;
-    const int seeds = method.random ? report.seeds : 1;
+    if (!method.random) seeds = 1;
     for (int seed = 1; seed <= seeds; seed++) {
-        BuiltMap built = build(method, settingsFor(scene, static_cast<uint64_t>(seed)), scans);
+        MapSettings settings = settingsFor(scene, static_cast<uint64_t>(seed));
+        settings.threads = threads;
+        BuiltMap built = build(method, settings, scans);
         app::ScoredCells cells =
             app::collect(lookupIn(*built.map), scene.truth.resolution, scene.truth, scene.box);
         seconds.push_back(built.seconds);
@@ -46,14 +46,6 @@ Outcome judgeMethod(const Report& report, const Method& method, const Scene& sce
     return outcome;
 }
 
-double secondsOf(const std::vector<Outcome>& outcomes, const std::string& name) {
-    for (const Outcome& o : outcomes)
-        if (o.row.name == name) return o.seconds;
-    throw std::logic_error("no row " + name);
-}
-
-}  // namespace
-
 std::string accuracySection(Report& report, const Scene& scene, const std::string& name) {
     const std::vector<PreparedScan> scans = prepare(scene.scans, kMaxRange);
     std::vector<Outcome> outcomes;
@@ -61,7 +53,7 @@ std::string accuracySection(Report& report, const Scene& scene, const std::strin
     for (Method& m : otherMethods()) methods.push_back(std::move(m));
     for (const Method& m : methods) {
         report.doing(scene.name + ": " + m.name);
-        outcomes.push_back(judgeMethod(report, m, scene, scans));
+        outcomes.push_back(judgeMethod(m, scene, scans, report.seeds));
     }
     std::vector<Row> rows;
     std::vector<app::Judgement> judgements;

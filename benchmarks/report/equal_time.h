@@ -12,7 +12,8 @@ namespace akimap::bench {
                                              double share, double max_range);
 
 /** The paper's equal-time comparison: each method gets as much of the data, in steps of 5 %, as it
- * takes in within a budget: once the fastest method's time for all data, once BGKOctoMap-L's. */
+ * takes in within a budget: once the fastest kernel method's time for all data, once
+ * BGKOctoMap-L's. */
 [[nodiscard]] std::string equalTimeSection(Report& report, const Scene& scene,
                                            const std::string& name);
 

@@ -85,7 +85,7 @@ Row summarize(const std::string& name, const std::vector<Column>& columns,
 
 std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& columns,
                     const std::vector<std::string>& more, const std::string& where,
-                    std::vector<std::string>& lost) {
+                    std::vector<std::pair<std::string, std::string>>& lost) {
     std::vector<std::string> header = {"method"};
     for (const Column& c : columns) header.emplace_back(c.name);
     header.emplace_back("σ ≤");
@@ -108,10 +108,19 @@ std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& col
         if (std::isnan(best[i]) || isAsGood(rows.front().means[i], best[i])) continue;
         const auto winner = std::find_if(rows.begin(), rows.end(),
                                          [&](const Row& r) { return r.means[i] == best[i]; });
-        lost.push_back(where + ", " + columns[i].name + ": " + fixed(rows.front().means[i], 3) +
-                       "; " + winner->name + " has " + fixed(best[i], 3));
+        lost.emplace_back(where, std::string(columns[i].name) + " " +
+                                     fixed(rows.front().means[i], 3) + " (" + winner->name + ": " +
+                                     fixed(best[i], 3) + ")");
     }
     return table.text();
+}
+
+app::Figure rocOfKnown(const std::vector<app::Judgement>& maps) {
+    app::Figure figure = app::rocFigure(maps);
+    auto& curves = figure.panels.front().curves;
+    const auto is_all = [](const app::Curve& c) { return c.dashed; };
+    curves.erase(std::remove_if(curves.begin(), curves.end(), is_all), curves.end());
+    return figure;
 }
 
 }  // namespace akimap::bench

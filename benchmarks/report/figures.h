@@ -3,9 +3,10 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "evaluation/evaluate.h"
+#include "evaluation/report.h"
 
 namespace akimap::bench {
 
@@ -32,10 +33,13 @@ struct Row {
 
 /** The rows as a Markdown table, the best of each column in bold.
  * \param more headers of Row::more
- * \param lost gets a line for each column in which the first row is not the best
- * \param where for those lines */
+ * \param lost gets an entry for each column in which the first row is not the best
+ * \param where for those entries */
 [[nodiscard]] std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& columns,
                                   const std::vector<std::string>& more, const std::string& where,
-                                  std::vector<std::string>& lost);
+                                  std::vector<std::pair<std::string, std::string>>& lost);
+
+/** ROC curves over the cells that each map knows. */
+[[nodiscard]] app::Figure rocOfKnown(const std::vector<app::Judgement>& maps);
 
 }  // namespace akimap::bench

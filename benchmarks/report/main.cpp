@@ -91,6 +91,17 @@ std::vector<std::pair<std::string, Scene>> withScans(
     return found;
 }
 
+/** One line for each scene; its entries follow each other. */
+void writeLost(const std::vector<std::pair<std::string, std::string>>& lost, std::ostream& out) {
+    for (std::size_t i = 0; i < lost.size(); i++) {
+        const bool is_first = i == 0 || lost[i].first != lost[i - 1].first;
+        const bool is_last = i + 1 == lost.size() || lost[i].first != lost[i + 1].first;
+        out << (is_first ? "- " + lost[i].first + ": " : ", ") << lost[i].second
+            << (is_last ? ".\n" : "");
+    }
+    if (lost.empty()) out << "Nowhere in these tables.\n";
+}
+
 void run(const Request& request) {
     mrpt::system::CTicTac clock;
     std::filesystem::create_directories(request.pictures);
@@ -128,8 +139,7 @@ void run(const Request& request) {
          << ". Do not edit: every figure but the paper's own is measured by that command. Best "
             "figures are bold.\n"
          << heading("Where AkiMap is not the best");
-    for (const std::string& line : report.lost) head << "- " << line << "\n";
-    if (report.lost.empty()) head << "Nowhere in these tables.\n";
+    writeLost(report.lost, head);
 
     app::AtomicFile file(request.output);
     std::ofstream out = app::openForWriting(file.path());

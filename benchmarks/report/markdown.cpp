@@ -68,7 +68,7 @@ std::string image(const std::string& alternative, const std::string& path) {
 std::string describeMachine() {
     std::ostringstream out;
     out << processor() << ", " << std::thread::hardware_concurrency() << " cores; GCC "
-        << __VERSION__ << ", MRPT " << mrpt::system::MRPT_getVersion();
+        << __VERSION__ << ", " << mrpt::system::MRPT_getVersion();
     return out.str();
 }
 

@@ -73,9 +73,9 @@ std::string onTheFlySection(Report& report, const LidarDrive& drive, const std::
                    std::to_string(run.gate.used()), std::to_string(lost), fixed(median, 1),
                    fixed(quantile(run.milliseconds, 0.99), 1)});
         if (i == 0 && lost > 0)
-            report.lost.push_back(drive.name + ", on the fly: " + cases[i].label + " lose " +
-                                  std::to_string(lost) + " of " +
-                                  std::to_string(run.gate.offered()) + " scans");
+            report.lost.emplace_back(drive.name + ", on the fly",
+                                     cases[i].label + " lose " + std::to_string(lost) + " of " +
+                                         std::to_string(run.gate.offered()) + " scans");
         panel.bars.push_back(app::histogram(cases[i].label, run.milliseconds, 20));
         panel.bars.back().color = i;
     }

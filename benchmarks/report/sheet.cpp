@@ -16,7 +16,7 @@ namespace {
 using mrpt::img::CImage;
 
 constexpr int kColumns = 3, kTitle = 36;  // [pixels] of height
-constexpr int kPanelWidth = app::kPictureWidth / 2, kPanelHeight = app::kPictureHeight / 2;
+constexpr int kPanelWidth = app::kPictureWidth * 2 / 5, kPanelHeight = app::kPictureHeight * 2 / 5;
 
 app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box, double resolution) {
     const BlockGrid grid(resolution);

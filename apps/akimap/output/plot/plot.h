@@ -13,7 +13,7 @@ namespace akimap::app {
 struct Curve {
     std::string name;  ///< in the legend; empty: not there
     std::vector<double> x, y;
-    std::size_t color = 0;  ///< one of seven, which colour-blind readers can tell apart
+    std::size_t color = 0;  ///< one of eight, which colour-blind readers can tell apart
     bool dashed = false;
     bool markers = false;  ///< a dot at each point
 };

@@ -15,7 +15,7 @@ inline const Canvas::TextStyle kSmall{11}, kNormal{12.5};
 inline Color lineColor(std::size_t i) {
     constexpr Color kColors[] = {{0, .447f, .698f},     {.835f, .369f, 0}, {0, .620f, .451f},
                                  {.800f, .475f, .655f}, {.902f, .624f, 0}, {.337f, .706f, .914f},
-                                 {.13f, .13f, .13f}};
+                                 {.13f, .13f, .13f},     {.600f, .600f, .600f}};
     return kColors[i % std::size(kColors)];
 }
 
