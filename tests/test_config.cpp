@@ -72,7 +72,9 @@ TEST_F(Config, TheShippedFileMakesAMapInAnyMultiMetricMap) {
     text.replace(text.find(before), before.size(), after);
     const mrpt::config::CConfigFileMemory ini(text);
     mrpt::maps::TSetOfMetricMapInitializers definitions;
+    testing::internal::CaptureStderr();
     definitions.loadFromConfigFile(ini, "MappingApplication");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     const mrpt::maps::CMultiMetricMap maps(definitions);
     ASSERT_EQ(maps.maps.size(), 1u);
     const auto map = maps.mapByClass<AkiMap>();
@@ -80,6 +82,18 @@ TEST_F(Config, TheShippedFileMakesAMapInAnyMultiMetricMap) {
     EXPECT_EQ(map->resolution(), 0.05);
     EXPECT_EQ(map->insertionOptions.max_range, 9);
     EXPECT_TRUE(map->genericMapParams.enableObservationInsertion);
+}
+
+TEST_F(Config, AnyMrptProgramWarnsOfUnknownKeys) {
+    const mrpt::config::CConfigFileMemory ini(kHead + kCreation + "resolutoin = 0.1\n" +
+                                              kInsertion + "MAX_RANGE = 5\nmax_rage = 5\n");
+    mrpt::maps::TSetOfMetricMapInitializers definitions;
+    testing::internal::CaptureStderr();
+    definitions.loadFromConfigFile(ini, "MappingApplication");
+    EXPECT_EQ(
+        testing::internal::GetCapturedStderr(),
+        "akimap: warning: [MappingApplication_akimap_00_creationOpts] unknown key resolutoin\n"
+        "akimap: warning: [MappingApplication_akimap_00_insertOpts] unknown key max_rage\n");
 }
 
 TEST_F(Config, ValuesAreTakenWithCommentsBehindThemAndWhateverTheirCase) {

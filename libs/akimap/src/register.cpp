@@ -4,6 +4,10 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/maps/TMetricMapTypesRegistry.h>
 #include <mrpt/rtti/CObject.h>
+#include <mrpt/system/string_utils.h>
+
+#include <algorithm>
+#include <iostream>
 
 #include "fields.h"
 #include "mrpt_compat.h"
@@ -12,17 +16,47 @@ MAP_DEFINITION_REGISTER("akimap::AkiMap,akimap", akimap::AkiMap)
 IMPLEMENTS_SERIALIZABLE(AkiMap, mrpt::maps::CMetricMap, akimap)
 
 namespace akimap {
+namespace {
+
+/** MRPT's programs tell nobody of a key that they do not know; a mistyped option must not pass
+ * unseen. Names are compared as MRPT does, whatever their case. */
+void warnOfUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
+                       const std::vector<std::string>& known) {
+    std::vector<std::string> keys;
+    source.getAllKeys(section, keys);
+    for (const std::string& key : keys) {
+        const auto is_it = [&](const std::string& name) {
+            return mrpt::system::strCmpI(name, key);
+        };
+        if (std::none_of(known.begin(), known.end(), is_it))
+            std::cerr << "akimap: warning: [" << section << "] unknown key " << key << "\n";
+    }
+}
+
+template <class Parameters>
+void load(LoadableOptions<Parameters>& options, const mrpt::config::CConfigFileBase& source,
+          const std::string& section) {
+    std::vector<std::string> known;
+    visitFields(options, [&](const char* name, auto&, const char*) { known.emplace_back(name); });
+    warnOfUnknownKeys(source, section, known);
+    options.loadFromConfigFile(source, section);
+}
+
+}  // namespace
 
 AkiMap::TMapDefinition::TMapDefinition() = default;
 
 void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& prefix) {
+    warnOfUnknownKeys(source, prefix + "_creationOpts",
+                      {"resolution", "enableSaveAs3DObject", "enableObservationInsertion",
+                       "enableObservationLikelihood"});
     readOption(source, prefix + "_creationOpts", "resolution", resolution);
-    insertionOpts.loadFromConfigFile(source, prefix + "_insertOpts");
-    insertionOpts.loadFromConfigFile(source, prefix + "_insertionOpts");
-    likelihoodOpts.loadFromConfigFile(source, prefix + "_likelihoodOpts");
-    renderingOpts.loadFromConfigFile(source, prefix + "_renderOpts");
-    renderingOpts.loadFromConfigFile(source, prefix + "_renderingOpts");
+    load(insertionOpts, source, prefix + "_insertOpts");
+    load(insertionOpts, source, prefix + "_insertionOpts");
+    load(likelihoodOpts, source, prefix + "_likelihoodOpts");
+    load(renderingOpts, source, prefix + "_renderOpts");
+    load(renderingOpts, source, prefix + "_renderingOpts");
 }
 
 void AkiMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const {
