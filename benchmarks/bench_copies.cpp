@@ -51,7 +51,7 @@ int main() {
         munmap(copy, bytes);
     });
     const auto row = [&](const char* name, double seconds) {
-        std::printf("%-40s %8.2f ms  %6.2f x the second\n", name, 1e3 * seconds, seconds / fresh);
+        std::printf("%-40s %8.2f ms  %6.2f x fresh\n", name, 1e3 * seconds, seconds / fresh);
     };
     std::printf("a map of %.1f MB\n", 1e-6 * static_cast<double>(bytes));
     row("memcpy of its cells, warm memory", warm);
