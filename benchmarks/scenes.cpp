@@ -59,6 +59,14 @@ Scene pcdFolder(const std::string& name, const std::string& folder) {
     return s;
 }
 
+Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
+    Scene s{name, {}, {}, {}};
+    app::ScanFeed feed(inputs);
+    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan)); },
+                     false);
+    return s;
+}
+
 LidarDrive simulatedLidar(std::size_t scans) {
     constexpr std::size_t kBeams = 16, kDirections = 1875;
     constexpr double kPi = 3.14159265358979323846, kMaxRange = 60, kNoise = 0.01;

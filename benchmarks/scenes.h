@@ -9,6 +9,7 @@
 
 #include "evaluation/octomap_scan.h"
 #include "evaluation/truth.h"
+#include "scan_feed.h"
 #include "simulation/simulate.h"
 
 namespace akimap::bench {
@@ -36,6 +37,9 @@ struct Scene {
 /** All .pcd files of a folder, in the order of the numbers in their names, without a truth; no
  * scans if it is not there. */
 [[nodiscard]] Scene pcdFolder(const std::string& name, const std::string& folder);
+
+/** The scans of any inputs that `akimap build` takes, without a truth. */
+[[nodiscard]] Scene scansOf(const std::string& name, const app::InputRequest& inputs);
 
 /** A drive with a spinning lidar at a steady rate. */
 struct LidarDrive {

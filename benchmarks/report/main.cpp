@@ -27,6 +27,7 @@ struct Request {
     std::string output = "BENCHMARK.md", pictures = "doc/pictures", commit = "unknown",
                 command = "make benchmark";
     int seeds = 10;
+    app::InputRequest own;
 };
 
 std::string heading(const std::string& text) {
@@ -127,6 +128,9 @@ void run(const Request& request) {
                     pcdFolder("LA3DM unstructured", la3dmFolder() + "/sim_unstructured")},
                    scenes.front()});
 
+    if (!request.own.inputs.empty())
+        held_out_scenes.emplace_back("own", scansOf(request.own.inputs.front(), request.own));
+
     std::ostringstream body;
     accuracy(report, scenes, body);
     equalTime(report, scenes.front().second, scenes.front().first, body);
@@ -163,6 +167,10 @@ int main(int argc, char** argv) try {
     app.add_option("--seeds", request.seeds, "Runs to average")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
+    app.add_option("--scans", request.own.inputs,
+                   "Also judge by held-out scans of these: .rawlog, .simplemap or .pcd files");
+    app.add_option("--trajectory", request.own.trajectory,
+                   "TUM file of the robot's poses, for those rawlogs");
     app.add_option("--commit", request.commit, "Named in the report")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     run(request);
