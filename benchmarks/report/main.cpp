@@ -121,7 +121,7 @@ void run(const Request& request) {
         withScans({{"la3dm", la3dmStructured()},
                    {"structured", simulated(app::SceneKind::structured, 1, 0.05)},
                    {"unstructured", simulated(app::SceneKind::unstructured, 1, 0.05)}});
-    const auto held_out_scenes =
+    auto held_out_scenes =
         withScans({{"corridor", pcdFolder("Corridor (real lidar)",
                                           std::string(data ? data : "") + "/corridor")},
                    {"la3dm_unstructured",
