@@ -66,7 +66,7 @@ std::string accuracySection(Report& report, const Scene& scene, const std::strin
     }
     report.doing(scene.name + ": pictures");
     for (const char* extension : {".png", ".svg"})
-        app::writeFigure(app::rocFigure(judgements), report.pictures + "/roc_" + name + extension);
+        app::writeFigure(rocOfKnown(judgements), report.pictures + "/roc_" + name + extension);
     writeSheet(scene, maps, report.pictures + "/maps_" + name + ".png");
 
     std::string text =

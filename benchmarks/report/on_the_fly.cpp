@@ -41,6 +41,21 @@ double quantile(std::vector<double> values, double q) {
     return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
+/** In bins of 25 ms from 0. */
+app::Bars histogram(const std::string& name, const std::vector<double>& milliseconds) {
+    constexpr double kBin = 25;
+    app::Bars bars{name, {0}, {}, 0};
+    for (const double t : milliseconds) {
+        const auto bin = static_cast<std::size_t>(t / kBin);
+        while (bars.heights.size() <= bin) {
+            bars.heights.push_back(0);
+            bars.edges.push_back(bars.edges.back() + kBin);
+        }
+        bars.heights[bin]++;
+    }
+    return bars;
+}
+
 }  // namespace
 
 std::string onTheFlySection(Report& report, const LidarDrive& drive, const std::string& name) {
@@ -76,7 +91,7 @@ std::string onTheFlySection(Report& report, const LidarDrive& drive, const std::
             report.lost.emplace_back(drive.name + ", on the fly",
                                      cases[i].label + " lose " + std::to_string(lost) + " of " +
                                          std::to_string(run.gate.offered()) + " scans");
-        panel.bars.push_back(app::histogram(cases[i].label, run.milliseconds, 20));
+        panel.bars.push_back(histogram(cases[i].label, run.milliseconds));
         panel.bars.back().color = i;
     }
     app::Figure figure;
