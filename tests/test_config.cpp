@@ -134,6 +134,17 @@ TEST_F(Config, AnotherSectionPrefixAndOtherMapsBesideIt) {
     EXPECT_EQ(d.resolution, 0.2);
 }
 
+TEST_F(Config, LinesThatMrptPassesOverAreRefused) {
+    expectRefused(kHead + kInsertion + "max_range 5\n", "'max_range 5': not KEY = VALUE");
+    expectRefused(kHead + kInsertion + "max_range = 5\nMax_Range = 6 // no\n",
+                  "'Max_Range = 6': the second value of this key");
+    EXPECT_EQ(load(kHead + kInsertion +
+                   "// a note\n; another\n\nmax_range = 5 # m\r\n"
+                   "[ICP]\nanything goes\n")
+                  .insertionOpts.max_range,
+              5);
+}
+
 TEST_F(Config, UnknownKeysAndSectionsAreRefusedByName) {
     expectRefused(kHead + kInsertion + "max_rage = 5\n", "unknown key max_rage");
     expectRefused(kHead + kCreation + "max_range = 5\n", "unknown key max_range");

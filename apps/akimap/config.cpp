@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -77,6 +78,7 @@ class Reader {
             refuse(reasonOf(e.what()));
         }
         ini_.getAllSections(sections_);
+        checkLines(text);
     }
 
     Definition load() {
@@ -97,6 +99,25 @@ class Reader {
  private:
     [[noreturn]] void refuse(const std::string& what) const {
         throw std::runtime_error(file_ + ": " + what);
+    }
+
+    /** What MRPT's parser passes over without a word, in the sections of the map. */
+    void checkLines(const std::string& text) const {
+        std::istringstream lines(text);
+        std::string section;
+        std::set<std::string> keys;
+        int number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            number++;
+            line = trim(line.substr(0, std::min(line.find_first_of(";#\r"), line.find("//"))));
+            const auto at = [&] { return "line " + std::to_string(number) + ", '" + line + "': "; };
+            if (!line.empty() && line[0] == '[') section = lowerCase(line), keys.clear();
+            if (line.empty() || line[0] == '[' || section.find("akimap") == std::string::npos)
+                continue;
+            if (line.find('=') == std::string::npos) refuse(at() + "not KEY = VALUE");
+            if (!keys.insert(lowerCase(trim(line.substr(0, line.find('='))))).second)
+                refuse(at() + "the second value of this key");
+        }
     }
 
     /** The value of a key without a comment behind it. */
