@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 //
 // Every export read back and held against the map, cell by cell; and what happens when one fails.
+#include <akimap/queries.h>
 #include <gtest/gtest.h>
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
@@ -116,20 +117,27 @@ TEST_F(Export, PlyHoldsTheOccupiedCellsColouredByHeight) {
     EXPECT_EQ(text.rfind("ply\nformat binary_little_endian 1.0\n", 0), 0u);
     EXPECT_NE(text.find("element vertex " + std::to_string(cells.size()) + "\n"),
               std::string::npos);
-    const std::size_t begin = text.find("end_header\n") + 11, size = 4 * 4 + 3;
+    const std::size_t begin = text.find("end_header\n") + 11, size = 8 * 4 + 3;
     ASSERT_EQ(text.size(), begin + size * cells.size());
     std::map<float, std::string> color_of_height;
+    int normals = 0;
     for (std::size_t i = 0; i < cells.size(); i++) {
-        float v[4];
+        float v[8];
         std::memcpy(v, text.data() + begin + i * size, sizeof(v));
         EXPECT_EQ(v[0], cells[i].x);
         EXPECT_EQ(v[1], cells[i].y);
         EXPECT_EQ(v[2], cells[i].z);
         EXPECT_NEAR(v[3], *map.occupancy(v[0], v[1], v[2]), 1e-6);
-        const std::string color = text.substr(begin + i * size + 16, 3);
+        const auto normal = akimap::surfaceNormal(map, v[0], v[1], v[2]);
+        EXPECT_NEAR(v[4], normal ? normal->direction.x : 0, 1e-6);
+        EXPECT_NEAR(v[6], normal ? normal->direction.z : 0, 1e-6);
+        EXPECT_NEAR(v[7], normal ? normal->confidence : 0, 1e-6);
+        normals += normal.has_value();
+        const std::string color = text.substr(begin + i * size + 32, 3);
         EXPECT_EQ(color_of_height.emplace(v[2], color).first->second, color);
     }
     EXPECT_NE(color_of_height.begin()->second, color_of_height.rbegin()->second);
+    EXPECT_GT(normals, 0);
 }
 
 /** Leaves of single cells: OctoMap trees hold pruned ones. */

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
+#include <akimap/queries.h>
+
+#include <optional>
 #include <vector>
 
 #include "output/MapCells.h"
@@ -33,6 +36,15 @@ std::string toBytes(const OccupiedCell& cell) {
     return bytes;
 }
 
+/** Zeros where there is none. */
+std::string toBytes(const std::optional<SurfaceNormal>& normal) {
+    const SurfaceNormal n = normal.value_or(SurfaceNormal{{0, 0, 0}, 0});
+    std::string bytes;
+    for (const double v : {n.direction.x, n.direction.y, n.direction.z, n.confidence})
+        appendBytes(bytes, static_cast<float>(v));
+    return bytes;
+}
+
 }  // namespace
 
 void writePly(const AkiMap& map, const std::string& path, const ExportOptions& options) {
@@ -43,10 +55,12 @@ void writePly(const AkiMap& map, const std::string& path, const ExportOptions& o
         << "comment centres of the occupied cells of an akimap of " << map.resolution() << " m\n"
         << "element vertex " << cells.size() << "\n"
         << "property float x\nproperty float y\nproperty float z\nproperty float occupancy\n"
+        << "property float nx\nproperty float ny\nproperty float nz\nproperty float confidence\n"
         << "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n";
     for (const OccupiedCell& cell : cells) {
         const Color c = heightColor(heights.place(cell.center.z / map.resolution())) * 255.f;
-        std::string bytes = toBytes(cell);
+        std::string bytes = toBytes(cell) + toBytes(surfaceNormal(map, cell.center.x, cell.center.y,
+                                                                  cell.center.z));
         for (const float v : {c.r, c.g, c.b}) appendBytes(bytes, static_cast<uint8_t>(v + 0.5f));
         out << bytes;
     }

@@ -18,7 +18,8 @@ namespace akimap::app {
  * its centre [m], and alpha and beta with the prior. */
 void writeCsv(const AkiMap& map, const std::string& path);
 
-/** Binary PLY: the centres [m] of the occupied cells, with occupancy and a colour by height. */
+/** Binary PLY: the centres [m] of the occupied cells, with occupancy, surfaceNormal() and its
+ * confidence (zeros where there is none), and a colour by height. */
 void writePly(const AkiMap& map, const std::string& path, const ExportOptions& options);
 
 /** Binary PCD: the centres [m] of the occupied cells, the occupancy as intensity. */

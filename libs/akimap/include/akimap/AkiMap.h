@@ -42,6 +42,10 @@ struct InsertionStats {
 struct CellState {
     double alpha = 0, beta = 0;
     [[nodiscard]] double occupancy() const { return alpha / (alpha + beta); }  ///< Eq. (4)
+    [[nodiscard]] double variance() const {  ///< of the Beta distribution of the occupancy
+        const double n = alpha + beta;
+        return alpha * beta / (n * n * (n + 1));
+    }
 };
 
 #if MRPT_VERSION >= 0x020b03

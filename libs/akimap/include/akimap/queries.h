@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/AkiMap.h>
+
+#include <optional>
+#include <vector>
+
+namespace akimap {
+
+// What planners ask a map. All are const-thread-safe; lengths are in metres, map frame.
+
+/** What is known of a cell. */
+enum class CellKind {
+    unknown,     ///< no evidence
+    free,        ///< more than three times as much evidence for free as for occupied
+    occupied,    ///< the other way round
+    conflicting  ///< anything between
+};
+[[nodiscard]] CellKind kindOf(const std::optional<CellState>& cell);
+
+/** Probability that the cell's occupancy exceeds the threshold: 1 - I_threshold(alpha, beta), the
+ * regularized incomplete beta function. \param threshold in (0, 1) */
+[[nodiscard]] double probabilityAbove(const CellState& cell, double threshold);
+
+/** Of a place that has to be free: the probability that its cell's occupancy is below the
+ * threshold; one half where nothing is known. */
+[[nodiscard]] double confidenceInFree(const std::optional<CellState>& cell, double threshold);
+
+/** A place on a way and how sure the map is that it is free there. */
+struct Doubt {
+    mrpt::math::TPoint3D place;
+    double confidence = 1;  ///< confidenceInFree()
+};
+
+/** What a ray meets. */
+struct RayCast {
+    std::optional<double> hit;  ///< [m] from the origin to where it enters the first occupied cell
+    Doubt least_sure;           ///< before the hit; the origin if nothing is before it
+};
+/** The cells along a ray, one after the other (Amanatides and Woo 1987).
+ * \param direction need not be of unit length
+ * \param threshold cells of a higher occupancy are occupied
+ * \exception std::invalid_argument unless all numbers are finite, the direction is not zero and
+ * 0 < threshold < 1 */
+[[nodiscard]] RayCast castRay(const AkiMap& map, const mrpt::math::TPoint3D& origin,
+                              const mrpt::math::TVector3D& direction, double max_range,
+                              double threshold = 0.5);
+
+/** Whether a sphere can move along a path of straight pieces. */
+struct SweptPath {
+    std::optional<mrpt::math::TPoint3D> collision;  ///< the first occupied cell's centre
+    Doubt least_sure;                               ///< of all cells that the sphere touches
+};
+/** Looks at every cell that the sphere touches, piece by piece in the path's order.
+ * \param path at least one place \param radius >= 0
+ * \exception std::invalid_argument unless all numbers are finite and in range */
+[[nodiscard]] SweptPath sweepSphere(const AkiMap& map,
+                                    const std::vector<mrpt::math::TPoint3D>& path, double radius,
+                                    double threshold = 0.5);
+
+/** Which way the surface faces at a cell. */
+struct SurfaceNormal {
+    mrpt::math::TVector3D direction;  ///< of unit length, towards the freer side
+    double confidence;  ///< in [0, 1]: 1 - the thickness across over the smaller extent along
+};
+/** By the principal axes of the evidence for occupied within two cells of the one that holds the
+ * point; empty where there is too little of it. */
+[[nodiscard]] std::optional<SurfaceNormal> surfaceNormal(const AkiMap& map, double x, double y,
+                                                         double z);
+
+}  // namespace akimap
