@@ -15,8 +15,13 @@
 #include <cstring>
 #include <set>
 
+#include "mrpt_compat.h"
 #include "random_scans.h"
 #include "same_map.h"
+
+#if AKIMAP_HAS_ROTATING_SCAN
+#include <mrpt/obs/CObservationRotatingScan.h>
+#endif
 
 using namespace akimap;
 using namespace mrpt::obs;
@@ -63,6 +68,23 @@ CObservationVelodyneScan asVelodyneCloud() {
     }
     return o;
 }
+#if AKIMAP_HAS_ROTATING_SCAN
+/** In two rows, and a column without returns. */
+CObservationRotatingScan asRotatingScan() {
+    const auto points = pointsInSensor();
+    const int columns = static_cast<int>(points.size()) / 2;
+    CObservationRotatingScan o;
+    o.sensorPose = kSensor;
+    o.rowCount = 2, o.columnCount = static_cast<uint16_t>(columns + 1);
+    o.rangeImage.setZero(2, columns + 1), o.organizedPoints.resize(2, columns + 1);
+    for (int i = 0; i < 2 * columns; i++) {
+        o.rangeImage(i / columns, i % columns) = 1;
+        o.organizedPoints(i / columns, i % columns) = points[static_cast<std::size_t>(i)];
+    }
+    o.organizedPoints(0, columns) = o.organizedPoints(1, columns) = {1, 2, 3};
+    return o;
+}
+#endif
 /** A tilted plane 2 to 3 m ahead. */
 CObservation3DRangeScan asDepthImage(bool range_is_depth) {
     CObservation3DRangeScan o;
@@ -121,6 +143,11 @@ TEST(Observations, SamePointsByAnyClassGiveTheSameBits) {
     ASSERT_TRUE(velodyne.insertObservation(asVelodyneCloud(), kRobot));
     EXPECT_EQ(cellsFingerprint(range), cellsFingerprint(cloud));
     EXPECT_EQ(cellsFingerprint(velodyne), cellsFingerprint(cloud));
+#if AKIMAP_HAS_ROTATING_SCAN
+    AkiMap rotating;
+    ASSERT_TRUE(rotating.insertObservation(asRotatingScan(), kRobot));
+    EXPECT_EQ(cellsFingerprint(rotating), cellsFingerprint(cloud));
+#endif
 }
 
 TEST(Observations, RaysAreRobotPlusSensorPlusPoint) {
@@ -210,6 +237,12 @@ TEST(Observations, UnusableOnesReturnFalse) {
     auto mismatched = asDepthImage(true);
     mismatched.cameraParams.ncols = 10;
     EXPECT_THROW(map.insertObservation(mismatched), std::exception);
+#if AKIMAP_HAS_ROTATING_SCAN
+    EXPECT_FALSE(map.insertObservation(CObservationRotatingScan()));
+    auto unranged = asRotatingScan();
+    unranged.rangeImage.resize(0, 0);
+    EXPECT_THROW(map.insertObservation(unranged), std::exception);
+#endif
 }
 
 TEST(Observations, VelodynePacketsAgreeWithTheirDecodedCloud) {

@@ -121,8 +121,10 @@ TEST_F(SlamCommands, LocalizationInAnAkiMapAlone) {
 }
 
 TEST_F(SlamCommands, AnUnknownMapIsAnErrorWhateverItsCase) {
-    const std::string known = icpIni("AKIMAP_COUNT = 1\nfancyMap_count = 0");
-    expectResults("slam " + known + " " + quoted_log);
+    for (const char* key : {"AKIMAP_COUNT", "AKIMAP_count"}) {
+        const std::string known = icpIni(std::string(key) + " = 1\nfancyMap_count = 0");
+        expectResults("slam " + known + " " + quoted_log);
+    }
     expectRefused("slam " + icpIni("akimaps_count = 1") + " " + quoted_log,
                   {"c.ini: [MappingApplication] akimaps_count = 1", "akimap, "});
     expectRefused("slam " + icpIni("akimap_count = 1") + " " + file("no.rawlog"),
@@ -136,6 +138,11 @@ TEST_F(SlamCommands, ErrorsAreOneLine) {
     expectRefused("slam " + localizeIni("1") + " " + quoted_log,
                   {"c.ini: no section [MappingApplication]"});
     expectRefused("localize " + localizeIni("0") + " " + quoted_log, {"init_PDF_mode = 0"});
+    // MRPT's application itself refuses this one, before the log is begun.
+    const std::string no_icp = ini("icp-slam/icp-slam_demo_classic.ini",
+                                   {{"ICP_algorithm", "ICP_algorithm = icpNone"},
+                                    {"pointsMap_count", "pointsMap_count = 1\nakimap_count = 1"}});
+    expectRefused("slam " + no_icp + " " + quoted_log, {"c.ini: ", "icpNone"});
     writeText(file("bad.rawlog"), "this is not what MRPT writes");
     expectRefused("slam " + icpIni("akimap_count = 1") + " " + file("bad.rawlog"),
                   {"bad.rawlog: object 1"});

@@ -95,8 +95,12 @@ bool LogFeed::makePair(CActionCollection::Ptr& actions, CSensoryFrame::Ptr& fram
     return true;
 }
 
-void LogFeed::requireSuccess() const {
+void LogFeed::rethrowFailure() const {
     if (failure_) std::rethrow_exception(failure_);
+}
+
+void LogFeed::requireSuccess() const {
+    rethrowFailure();
     if (entries_ == 0 && !StopSignal::requested())
         throw std::runtime_error(file_ + ": no actions with sensory frames and no observations");
 }

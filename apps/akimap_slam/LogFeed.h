@@ -33,7 +33,9 @@ class LogFeed {
     bool next(mrpt::obs::CActionCollection::Ptr& actions, mrpt::obs::CSensoryFrame::Ptr& frame,
               mrpt::obs::CObservation::Ptr& observation);
 
-    /** Rethrows what went wrong in next(), or says that nothing in the log could be given. */
+    /** Rethrows what went wrong in next(), if anything. */
+    void rethrowFailure() const;
+    /** The same, and says if nothing in the log could be given. */
     void requireSuccess() const;
 
  private:

@@ -25,4 +25,8 @@ void requireSection(const Ini& ini, const std::string& file, const std::string& 
  * \exception std::runtime_error naming the file, the section and the key */
 bool checkMaps(const Ini& ini, const std::string& file, const std::string& section);
 
+/** The same with each `<name>_count` of the section spelled as MRPT registered the name, and none
+ * of maps that it does not know: from 2.11.3 on MRPT refuses those even if they are 0. */
+[[nodiscard]] Ini withRegisteredMaps(const Ini& ini, const std::string& section);
+
 }  // namespace akimap::app

@@ -68,7 +68,7 @@ void localize(const AppRequest& request) {
     ini.write(kSection, "logOutput_dir", results.scratch() + "/localization");
     app.allow_quit_on_esc_key = false;
     app.fill_out_estimated_path = true;
-    app.params = ini;
+    app.params = withRegisteredMaps(ini, kMapSection);
     runApp(
         request, [&] { app.run(); }, feed);
     results.publish("map_", {app.out_estimated_path.begin(), app.out_estimated_path.end()});

@@ -56,7 +56,7 @@ void runApp(const AppRequest& request, const std::function<void()>& run, const L
         run();
     } catch (const std::exception& e) {
         std::set_terminate(old_handler);
-        feed.requireSuccess();
+        feed.rethrowFailure();
         throw std::runtime_error(request.config + ": " + reasonOf(e.what()));
     }
     std::set_terminate(old_handler);

@@ -43,7 +43,7 @@ void runSlam(const SlamRequest& request, Ini ini, LogFeed::Form form,
     quietDown(ini, kSection, request, app);
     ini.write(kSection, "logOutput_dir", results.scratch());
     app.quits_with_esc_key = false;
-    app.params = ini;
+    app.params = withRegisteredMaps(ini, kSection);
     runApp(
         request, [&] { app.run(); }, feed);
     results.publish(map_prefix, {app.out_estimated_path.begin(), app.out_estimated_path.end()});

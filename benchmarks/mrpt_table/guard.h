@@ -8,8 +8,8 @@
 namespace akimap::bench {
 
 /** What the work returns, from a process of its own, which may do its worst: "throws: ...",
- * "crashes: ..." with the signal's name, or "hangs" if it takes longer than 30 s. What it prints
- * is dropped. \pre this process has no threads yet */
+ * "crashes: ..." with the signal's name, "no answer within 1 s" of processor time, or "hangs" if it
+ * waits for a minute. What it prints is dropped. \pre this process has no threads yet */
 [[nodiscard]] std::string guarded(const std::function<std::string()>& work);
 
 }  // namespace akimap::bench

@@ -136,7 +136,7 @@ CObservationRange::Ptr sonar() {
 CObservationRotatingScan::Ptr rotatingScan() {
     auto o = observed<CObservationRotatingScan>();
     o->sensorPose = kSensor, o->rowCount = kRows, o->columnCount = kColumns;
-    o->rangeResolution = 0.001, o->startAngle = -0.3, o->azimuthSpan = 0.6;
+    o->rangeResolution = 0.001, o->startAzimuth = -0.3, o->azimuthSpan = 0.6;
     o->rangeImage.resize(kRows, kColumns), o->organizedPoints.resize(kRows, kColumns);
     const auto points = wall();
     for (int r = 0; r < kRows; r++)

@@ -80,6 +80,11 @@ void addScan(const CObservation2DRangeScan& o, RayMaker& rays) {
 
 #if AKIMAP_HAS_ROTATING_SCAN
 void addScan(const CObservationRotatingScan& o, RayMaker& rays) {
+    if (o.organizedPoints.size() == 0) return;
+    if (o.rangeImage.rows() != o.organizedPoints.rows() ||
+        o.rangeImage.cols() != o.organizedPoints.cols())
+        throw std::runtime_error("CObservationRotatingScan '" + o.sensorLabel +
+                                 "': range image and organized points are not of one size");
     for (int r = 0; r < o.organizedPoints.rows(); r++)
         for (int c = 0; c < o.organizedPoints.cols(); c++) {
             if (o.rangeImage(r, c) == 0) continue;
