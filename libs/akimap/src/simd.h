@@ -45,8 +45,28 @@ AKIMAP_INLINE DoubleRow keep(DoubleRowMask m, DoubleRow v) {
 AKIMAP_INLINE double keep(bool m, double v) {
     return m ? v : 0;
 }
+AKIMAP_INLINE void storeRow(double* p, DoubleRow v) {
+    using Unaligned = double __attribute__((vector_size(32), aligned(8)));
+    *reinterpret_cast<Unaligned*>(p) = v;
+}
+using HalfRow = float __attribute__((vector_size(16)));
+AKIMAP_INLINE Row joined(DoubleRow low, DoubleRow high) {
+    const HalfRow a = __builtin_convertvector(low, HalfRow),
+                  b = __builtin_convertvector(high, HalfRow);
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+/** Bit i is lane i of the mask. */
+AKIMAP_INLINE uint32_t bitsOf(RowMask m) {
+    using HalfMask = int32_t __attribute__((vector_size(16)));
+    using Words = uint64_t __attribute__((vector_size(16)));
+    constexpr RowMask kBits = {1, 2, 4, 8, 16, 32, 64, 128};
+    m &= kBits;
+    const Words w = (Words)(HalfMask)(__builtin_shufflevector(m, m, 0, 1, 2, 3) |
+                                      __builtin_shufflevector(m, m, 4, 5, 6, 7));
+    const uint64_t both = w[0] | w[1];
+    return static_cast<uint32_t>(both | both >> 32);
+}
 AKIMAP_INLINE double sumOf(Row v) {
-    using HalfRow = float __attribute__((vector_size(16)));
     const HalfRow low = {v[0], v[1], v[2], v[3]}, high = {v[4], v[5], v[6], v[7]};
     const DoubleRow s =
         __builtin_convertvector(low, DoubleRow) + __builtin_convertvector(high, DoubleRow);
