@@ -13,29 +13,28 @@
 namespace akimap {
 namespace {
 
-/** A point and the region around it in which neighbours are sought [m]. */
-struct Region {
-    float x, y, z, range;
-    bool box;
+/** Eight samples, one in each lane, and the regions in which their neighbours are sought [m]. */
+struct Group {
+    Row x, y, z, range;
+    bool box;       ///< regions are boxes, else balls
+    Bounds bounds;  ///< holds all regions
 };
 
-/** Number and moments of the points in a region, about its centre; the centre itself included. */
+/** Number and moments of the points in each lane's region, about its sample; that included. */
 struct Moments {
-    double n = 0, x = 0, y = 0, z = 0;
-    Symmetric3 m2;
+    Row n{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
 };
 
-/** Squared distances r^2 in the metric of a covariance, for rows of points. */
+/** Squared distances r^2 in the metric of a covariance in each lane. */
 struct Metric {
-    float iz, y_z, iy, x_z, x_y, ix;
+    Row iz, y_z, iy, x_z, x_y, ix;
 
-    explicit Metric(const Factored& f)
-        : iz(static_cast<float>(1 / f.vz)),
-          y_z(static_cast<float>(f.y_z)),
-          iy(static_cast<float>(1 / f.vy)),
-          x_z(static_cast<float>(f.x_z)),
-          x_y(static_cast<float>(f.x_y)),
-          ix(static_cast<float>(1 / f.vx)) {}
+    void set(int lane, const Factored& f) {
+        iz[lane] = static_cast<float>(1 / f.vz), iy[lane] = static_cast<float>(1 / f.vy),
+        ix[lane] = static_cast<float>(1 / f.vx);
+        y_z[lane] = static_cast<float>(f.y_z), x_z[lane] = static_cast<float>(f.x_z),
+        x_y[lane] = static_cast<float>(f.x_y);
+    }
     AKIMAP_INLINE Row squaredDistance(Row dx, Row dy, Row dz) const {
         const Row ey = dy - y_z * dz, ex = dx - x_z * dz - x_y * ey;
         return dz * dz * iz + ey * ey * iy + ex * ex * ix;
@@ -51,59 +50,73 @@ AKIMAP_INLINE Row absolute(Row v) {
     return (Row)((RowMask)v & 0x7fffffff);
 }
 
-/** Calls visit(inside, dx, dy, dz) for rows of points that hold every point in the region. */
+AKIMAP_INLINE RowMask isInside(Row dx, Row dy, Row dz, Row range, bool box) {
+    return box ? RowMask((absolute(dx) <= range) & (absolute(dy) <= range) &
+                         (absolute(dz) <= range))
+               : RowMask(dx * dx + dy * dy + dz * dz <= range * range);
+}
+
+/** Calls visit(inside, dx, dy, dz) for each of these points, seen from the group's samples. */
 template <class Visitor>
-AKIMAP_INLINE void forEachInRegion(const NeighborGrid& points, const Region& c, Visitor&& visit) {
-    points.forEachRun(
-        c.x, c.y, c.z, c.range, [&](uint32_t begin, uint32_t end) AKIMAP_INLINE_LAMBDA {
-            for (uint32_t i = begin; i < end; i += 8) {
-                const Row dx = loadRow(points.x() + i) - c.x, dy = loadRow(points.y() + i) - c.y,
-                          dz = loadRow(points.z() + i) - c.z;
-                const RowMask in_run = kLaneIndex < static_cast<int32_t>(end - i);
-                const RowMask in_region =
-                    c.box ? RowMask((absolute(dx) <= c.range) & (absolute(dy) <= c.range) &
-                                    (absolute(dz) <= c.range))
-                          : RowMask(dx * dx + dy * dy + dz * dz <= c.range * c.range);
-                visit(RowMask(in_run & in_region), dx, dy, dz);
-            }
-        });
+AKIMAP_INLINE void forEachPoint(const NeighborRows& points, const PlaceList& near, const Group& g,
+                                Visitor&& visit) {
+    for (std::size_t n = 0; n < near.count; n++) {
+        const std::size_t i = near.places[n];
+        const Row dx = points.x()[i] - g.x, dy = points.y()[i] - g.y, dz = points.z()[i] - g.z;
+        visit(isInside(dx, dy, dz, g.range, g.box), dx, dy, dz);
+    }
 }
 
-AKIMAP_INLINE Moments momentsIn(const NeighborGrid& points, const Region& c) {
-    Row n{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+AKIMAP_INLINE Moments momentsIn(const NeighborRows& points, const PlaceList& near, const Group& g) {
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
-    forEachInRegion(points, c, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
+    Moments m;
+    forEachPoint(points, near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
         dx = keep(inside, dx), dy = keep(inside, dy), dz = keep(inside, dz);
-        n += keep(inside, one), x += dx, y += dy, z += dz;
-        xx += dx * dx, xy += dx * dy, xz += dx * dz, yy += dy * dy, yz += dy * dz, zz += dz * dz;
+        m.n += keep(inside, one), m.x += dx, m.y += dy, m.z += dz;
+        m.xx += dx * dx, m.xy += dx * dy, m.xz += dx * dz;
+        m.yy += dy * dy, m.yz += dy * dz, m.zz += dz * dz;
     });
-    return {sumOf(n),
-            sumOf(x),
-            sumOf(y),
-            sumOf(z),
-            {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
+    return m;
 }
 
-/** Adds the points of the region with a squared distance u < limit to the problem. */
-AKIMAP_INLINE void collectSupport(const NeighborGrid& points, const Region& c, const Metric& metric,
-                                  float limit, bool positive, ScaleProblem& problem) {
-    forEachInRegion(points, c, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
-        const Row u = metric.squaredDistance(dx, dy, dz);
-        inside &= u < limit;
-        for (int lane = 0; lane < 8; lane++)
-            if (inside[lane]) problem.add(u[lane], positive);
+/** Squared distances r^2 of all these points from the group's samples; far where a point lies
+ * outside a lane's region or its support u < limit.
+ * \return the lanes that have a point in their supports */
+AKIMAP_INLINE RowMask distancesTo(const NeighborRows& points, const PlaceList& near, const Group& g,
+                                  const Metric& metric, float limit, std::vector<float>& u) {
+    constexpr float kFar = 1e9f;
+    RowMask met{};
+    if (u.size() < 8 * near.count) u.resize(8 * near.count);
+    float* out = u.data();
+    forEachPoint(points, near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
+        const Row squared = metric.squaredDistance(dx, dy, dz);
+        inside &= squared < limit;
+        met |= inside;
+        storeRow(out, inside ? squared : Row{} + kFar);
+        out += 8;
     });
+    return met;
+}
+
+/** Adds a lane's points in its support to the problem. */
+void addSupport(const std::vector<float>& u, std::size_t count, int lane, float limit,
+                bool positive, ScaleProblem& problem) {
+    const float* of_lane = u.data() + lane;
+    for (std::size_t i = 0; i < count; i++)
+        if (of_lane[8 * i] < limit) problem.add(of_lane[8 * i], positive);
 }
 
 /** First stage: the covariance of the neighbours of the same label, plus the floor. */
-Symmetric3 covarianceOf(const Moments& m, const InsertionParameters& p, double resolution) {
-    if (m.n <= 2) return isotropic(resolution);
+Symmetric3 covarianceOf(const Moments& m, int lane, const InsertionParameters& p,
+                        double resolution) {
+    const double n = m.n[lane], x = m.x[lane], y = m.y[lane], z = m.z[lane];
+    if (n <= 2) return isotropic(resolution);
     const bool about_mean = p.covariance_center == CovarianceCenter::mean;
-    const double k = about_mean ? 1 / m.n : 0, w = 1 / (about_mean ? m.n - 1 : m.n - 2);
+    const double k = about_mean ? 1 / n : 0, w = 1 / (about_mean ? n - 1 : n - 2);
     const double f = covarianceFloor(p, resolution);
-    return {(m.m2.xx - k * m.x * m.x) * w + f, (m.m2.xy - k * m.x * m.y) * w,
-            (m.m2.xz - k * m.x * m.z) * w,     (m.m2.yy - k * m.y * m.y) * w + f,
-            (m.m2.yz - k * m.y * m.z) * w,     (m.m2.zz - k * m.z * m.z) * w + f};
+    return {(m.xx[lane] - k * x * x) * w + f, (m.xy[lane] - k * x * y) * w,
+            (m.xz[lane] - k * x * z) * w,     (m.yy[lane] - k * y * y) * w + f,
+            (m.yz[lane] - k * y * z) * w,     (m.zz[lane] - k * z * z) * w + f};
 }
 
 double longestSemiAxis(const Symmetric3& h) {
@@ -119,67 +132,104 @@ Symmetric3 scaled(const Symmetric3& h, double s) {
     return {h.xx * f, h.xy * f, h.xz * f, h.yy * f, h.yz * f, h.zz * f};
 }
 
-/** Both stages for samples of one label. */
+/** A label's samples: where they lie in Samples, and the points around them. */
+struct Label {
+    const NeighborRows &same, &other;
+    std::size_t first;
+};
+
+/** Both stages, for one row of a label's samples after the other. */
 class Selector {
  public:
-    Selector(const NeighborGrid& same, const NeighborGrid& other, const InsertionParameters& p,
-             double resolution)
-        : same_(same), other_(other), p_(p), resolution_(resolution) {}
+    Selector(const Samples& s, const InsertionParameters& p, double resolution, const Label& label)
+        : s_(s),
+          p_(p),
+          label_(label),
+          resolution_(resolution),
+          limit_(static_cast<float>(std::max(1.0, p.scale_max * p.scale_max))) {}
 
-    AKIMAP_INLINE Symmetric3 select(const Region& region, ScaleProblem& problem) const {
-        const Moments m = momentsIn(same_, region);
-        const Symmetric3 covariance = covarianceOf(m, p_, resolution_);
-        if (p_.bandwidth == Bandwidth::covariance || m.n <= 2) return covariance;
-
-        const Factored factored(covariance);
-        const Metric metric(factored);
-        const float limit = static_cast<float>(std::max(1.0, p_.scale_max * p_.scale_max));
-        problem.clear();
-        collectSupport(other_, region, metric, limit, false, problem);
-        if (problem.isEmpty()) return covariance;  // nothing that could push it back
-        collectSupport(same_, region, metric, limit, true, problem);
-        return scaled(covariance, scaleOf(covariance, factored, problem));
+    AKIMAP_INLINE void select(std::size_t row, Symmetric3* H) {
+        const Group g = groupOf(row);
+        label_.same.findPoints(g.bounds, near_same_);
+        const Moments m = momentsIn(label_.same, near_same_, g);
+        Symmetric3 own[NeighborRows::kRow];
+        for (int lane = 0; lane < label_.same.countIn(row); lane++)
+            own[lane] = covarianceOf(m, lane, p_, resolution_);
+        if (p_.bandwidth == Bandwidth::adaptive) {
+            label_.other.findPoints(g.bounds, near_other_);
+            if (near_other_.count) scale(g, m, label_.same.countIn(row), own);
+        }
+        for (int lane = 0; lane < label_.same.countIn(row); lane++)
+            H[sampleAt(row, lane)] = own[lane];
     }
 
  private:
-    [[nodiscard]] double scaleOf(const Symmetric3& covariance, const Factored& factored,
-                                 const ScaleProblem& problem) const {
+    [[nodiscard]] std::size_t sampleAt(std::size_t row, int lane) const {
+        return label_.first +
+               label_.same.order()[row * NeighborRows::kRow + static_cast<std::size_t>(lane)];
+    }
+
+    AKIMAP_INLINE Group groupOf(std::size_t row) const {
+        const std::size_t i = row * NeighborRows::kRow;
+        Group g{loadRow(label_.same.x() + i),          loadRow(label_.same.y() + i),
+                loadRow(label_.same.z() + i),          Row{},
+                p_.search_region == SearchRegion::box, label_.same.boundsOf(row)};
+        float widest = 0;
+        for (int lane = 0; lane < label_.same.countIn(row); lane++) {
+            g.range[lane] = searchRange(p_, resolution_, s_.distance[sampleAt(row, lane)]);
+            widest = std::max(widest, g.range[lane]);
+        }
+        widest *= 1.0001f;  // rounding must not lose a point on a region's face
+        for (int a = 0; a < 3; a++) g.bounds.low[a] -= widest, g.bounds.high[a] += widest;
+        return g;
+    }
+
+    /** Second stage, for the samples whose kernels hold a point of the other label. */
+    AKIMAP_INLINE void scale(const Group& g, const Moments& m, int count, Symmetric3* own) {
+        Metric metric{};
+        for (int lane = 0; lane < count; lane++) metric.set(lane, Factored(own[lane]));
+        const RowMask met = distancesTo(label_.other, near_other_, g, metric, limit_, u_other_);
+        uint32_t bits = bitsOf(met & (m.n > 2.0f));
+        if (bits) distancesTo(label_.same, near_same_, g, metric, limit_, u_same_);
+        for (; bits; bits &= bits - 1) {
+            const int lane = __builtin_ctz(bits);
+            problem_.clear();
+            addSupport(u_other_, near_other_.count, lane, limit_, false, problem_);
+            addSupport(u_same_, near_same_.count, lane, limit_, true, problem_);
+            own[lane] = scaled(own[lane], scaleOf(own[lane]));
+        }
+    }
+
+    [[nodiscard]] double scaleOf(const Symmetric3& covariance) const {
         const double shortest = p_.scale_min_length > 0 ? p_.scale_min_length : resolution_;
         const double lowest = shortest / longestSemiAxis(covariance);
         if (p_.scale_search == ScaleSearch::descent)
-            return problem.descend(1 / std::sqrt(factored.determinant()), std::min(lowest, 1.0));
-        return problem.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
+            return problem_.descend(1 / std::sqrt(Factored(covariance).determinant()),
+                                    std::min(lowest, 1.0));
+        return problem_.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
     }
 
-    const NeighborGrid &same_, &other_;
+    const Samples& s_;
     const InsertionParameters& p_;
+    const Label& label_;
     double resolution_;
-};
-
-/** Where a label's samples lie in Samples, and how to select for them. */
-struct LabelRange {
-    const NeighborGrid& points;
-    std::size_t first;
-    Selector selector;
+    float limit_;
+    ScaleProblem problem_;
+    std::vector<float> u_same_, u_other_;  // a row for each point near, a lane for each sample
+    PlaceList near_same_, near_other_;     // points in the group's bounds
 };
 
 AKIMAP_MULTIVERSION
-void selectRange(const Samples& s, const InsertionParameters& p, double resolution,
-                 const LabelRange& label, std::size_t begin, std::size_t end, Symmetric3* H) {
-    ScaleProblem problem;
-    for (std::size_t place = begin; place < end; place++) {  // in bin order, for the cache
-        const std::size_t i = label.first + label.points.order()[place];
-        const Region region{s.x[i], s.y[i], s.z[i], searchRange(p, resolution, s.distance[i]),
-                            p.search_region == SearchRegion::box};
-        H[i] = label.selector.select(region, problem);
-    }
+void selectRows(Selector& selector, std::size_t begin, std::size_t end, Symmetric3* H) {
+    for (std::size_t row = begin; row < end; row++) selector.select(row, H);
 }
 
 void selectLabel(const Samples& s, const InsertionParameters& p, double resolution,
-                 const LabelRange& label, std::vector<Symmetric3>& H) {
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, label.points.size(), 64),
-        [&](const auto& r) { selectRange(s, p, resolution, label, r.begin(), r.end(), H.data()); });
+                 const Label& label, std::vector<Symmetric3>& H) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, label.same.rows(), 8), [&](const auto& r) {
+        Selector selector(s, p, resolution, label);
+        selectRows(selector, r.begin(), r.end(), H.data());
+    });
 }
 
 }  // namespace
@@ -201,16 +251,12 @@ void bandwidths(const Samples& s, const InsertionParameters& p, double resolutio
         return;
     }
     const std::size_t k = s.occupied;
-    const float bin = static_cast<float>(std::max(p.search_range_max, resolution) / 3);
+    const float *x = s.x.data(), *y = s.y.data(), *z = s.z.data();
     tbb::parallel_invoke(
-        [&] { scratch.occupied.build(s.x.data(), s.y.data(), s.z.data(), k, bin); },
-        [&] {
-            scratch.free.build(s.x.data() + k, s.y.data() + k, s.z.data() + k, s.size() - k, bin);
-        });
-    selectLabel(s, p, resolution,
-                {scratch.occupied, 0, {scratch.occupied, scratch.free, p, resolution}}, H);
-    selectLabel(s, p, resolution,
-                {scratch.free, k, {scratch.free, scratch.occupied, p, resolution}}, H);
+        [&] { scratch.occupied.build(x, y, z, k, resolution); },
+        [&] { scratch.free.build(x + k, y + k, z + k, s.size() - k, resolution); });
+    selectLabel(s, p, resolution, {scratch.occupied, scratch.free, 0}, H);
+    selectLabel(s, p, resolution, {scratch.free, scratch.occupied, k}, H);
 }
 
 }  // namespace akimap

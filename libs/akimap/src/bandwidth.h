@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "Factored.h"
-#include "NeighborGrid.h"
+#include "NeighborRows.h"
 #include "sampling.h"
 
 namespace akimap {
 
 /** Buffers of the bandwidth stage, kept between scans. */
 struct NeighborScratch {
-    NeighborGrid occupied, free;
+    NeighborRows occupied, free;
 };
 
 /** Room 3: the bandwidth matrix H [m^2] of each sample (paper, Sec. IV-C), by the first stage

@@ -35,6 +35,10 @@ AKIMAP_INLINE void storeRow(float* p, Row v) {
     using Unaligned = float __attribute__((vector_size(32), aligned(4)));
     *reinterpret_cast<Unaligned*>(p) = v;
 }
+AKIMAP_INLINE void storeRow(uint32_t* p, RowMask v) {
+    using Unaligned = int32_t __attribute__((vector_size(32), aligned(4), may_alias));
+    *reinterpret_cast<Unaligned*>(p) = v;
+}
 /** v where the mask is set, 0 elsewhere. */
 AKIMAP_INLINE Row keep(RowMask m, Row v) {
     return (Row)(m & (RowMask)v);
