@@ -12,62 +12,70 @@ namespace akimap {
 
 /** Lowest and highest corner of an axis-aligned box [m]. */
 struct Bounds {
-    float low[3], high[3];
+  float low[3], high[3];
 };
 
-/** Places of points; its memory is kept. */
-struct PlaceList {
-    std::vector<uint32_t> places;  ///< the first `count` are valid
-    std::size_t count = 0;
+/** A list of points that keeps its memory. Its arrays are longer than its
+ * count, so that rows can be read from any of its points. */
+struct PointList {
+  std::vector<float> x, y, z;
+  std::size_t count = 0;
+  std::vector<uint32_t> boxes, inner_boxes; // scratch of findPoints()
+  void reserve(std::size_t n) {
+    if (n <= x.size())
+      return;
+    for (auto *v : {&x, &y, &z})
+      v->resize(2 * n);
+  }
 };
 
-/** Points [m] in rows of eight that lie near each other, with a tree of boxes above the rows: the
- * points are sorted along a Morton curve, a box encloses each row, and one each eight boxes, up to
- * a single one. A far outlier costs a box, not memory or the others' time.
- * Concurrent const calls are safe. */
+/** Points [m] in rows of eight that lie near each other, with a tree of boxes
+ * above the rows: the points are sorted along a Morton curve, a box encloses
+ * each row, and one each eight boxes, up to a single one. A far outlier costs a
+ * box, not memory or the others' time. Concurrent const calls are safe. */
 class NeighborRows {
- public:
-    static constexpr std::size_t kRow = 8;
+public:
+  static constexpr std::size_t kRow = 8;
 
-    /** Replaces the contents. \param grain [m] points nearer than this keep no particular order */
-    void build(const float* x, const float* y, const float* z, std::size_t n, double grain);
+  /** Replaces the contents. \param grain [m] points nearer than this keep no
+   * particular order */
+  void build(const float *x, const float *y, const float *z, std::size_t n,
+             double grain);
 
-    [[nodiscard]] std::size_t size() const { return order_.size(); }
-    [[nodiscard]] std::size_t rows() const { return (size() + kRow - 1) / kRow; }
-    /** Number of points in a row: eight but in the last. */
-    [[nodiscard]] int countIn(std::size_t row) const {
-        return static_cast<int>(row + 1 < rows() ? kRow : size() - row * kRow);
-    }
-    /** Coordinates in row order; the last row is filled up with points that are far from all. */
-    [[nodiscard]] const float* x() const { return axis_[0].data(); }
-    [[nodiscard]] const float* y() const { return axis_[1].data(); }
-    [[nodiscard]] const float* z() const { return axis_[2].data(); }
-    /** Place in the input of the point at each place in row order. */
-    [[nodiscard]] const std::vector<uint32_t>& order() const { return order_; }
-    [[nodiscard]] Bounds boundsOf(std::size_t row) const;
+  [[nodiscard]] std::size_t size() const { return order_.size(); }
+  [[nodiscard]] std::size_t rows() const { return (size() + kRow - 1) / kRow; }
+  /** Number of points in a row: eight but in the last. */
+  [[nodiscard]] int countIn(std::size_t row) const {
+    return static_cast<int>(row + 1 < rows() ? kRow : size() - row * kRow);
+  }
+  /** Coordinates in row order; the last row is filled up with points that are
+   * far from all. */
+  [[nodiscard]] const float *x() const { return axis_[0].data(); }
+  [[nodiscard]] const float *y() const { return axis_[1].data(); }
+  [[nodiscard]] const float *z() const { return axis_[2].data(); }
+  /** Place in the input of the point at each place in row order. */
+  [[nodiscard]] const std::vector<uint32_t> &order() const { return order_; }
+  [[nodiscard]] Bounds boundsOf(std::size_t row) const;
 
-    /** Replaces `found` by the places, in row order and ascending, of the points in the box. */
-    AKIMAP_INLINE void findPoints(const Bounds& box, PlaceList& found) const {
-        found.count = 0;
-        if (!levels_.empty()) descend(levels_.size() - 1, 0, box, found);
-    }
+  /** Replaces `found` by the points in the box, in row order. */
+  void findPoints(const Bounds &box, PointList &found) const;
 
- private:
-    /** Boxes by coordinate, in whole rows; the padding meets nothing. */
-    struct Level {
-        std::vector<float> low[3], high[3];
-    };
+private:
+  /** Boxes by coordinate, in whole rows; the padding meets nothing. */
+  struct Level {
+    std::vector<float> low[3], high[3];
+  };
 
-    void descend(std::size_t level, std::size_t first, const Bounds& box, PlaceList& found) const;
-    void appendPoints(std::size_t row, const Bounds& box, PlaceList& found) const;
-    void sort(const float* x, const float* y, const float* z, std::size_t n, double grain);
-    void buildLevels();
+  void appendPoints(std::size_t row, const Bounds &box, PointList &found) const;
+  void sort(const float *x, const float *y, const float *z, std::size_t n,
+            double grain);
+  void buildLevels();
 
-    std::vector<uint32_t> order_;
-    std::vector<float> axis_[3];
-    std::vector<Level> levels_;                // the rows' boxes first
-    std::vector<uint64_t> keys_, other_keys_;  // scratch of sort()
-    std::vector<uint32_t> other_order_;
+  std::vector<uint32_t> order_;
+  std::vector<float> axis_[3];
+  std::vector<Level> levels_;               // the rows' boxes first
+  std::vector<uint64_t> keys_, other_keys_; // scratch of sort()
+  std::vector<uint32_t> other_order_;
 };
 
-}  // namespace akimap
+} // namespace akimap

@@ -8,8 +8,6 @@
 
 #include <Eigen/Dense>
 
-#include "scale.h"
-
 namespace akimap {
 namespace {
 
@@ -25,21 +23,31 @@ struct Moments {
     Row n{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
 };
 
-/** Squared distances r^2 in the metric of a covariance in each lane. */
+/** Squared distances r^2 in the metric of a covariance, or of one in each lane. */
+template <class T>
 struct Metric {
-    Row iz, y_z, iy, x_z, x_y, ix;
+    T iz, y_z, iy, x_z, x_y, ix;
 
-    void set(int lane, const Factored& f) {
-        iz[lane] = static_cast<float>(1 / f.vz), iy[lane] = static_cast<float>(1 / f.vy),
-        ix[lane] = static_cast<float>(1 / f.vx);
-        y_z[lane] = static_cast<float>(f.y_z), x_z[lane] = static_cast<float>(f.x_z),
-        x_y[lane] = static_cast<float>(f.x_y);
-    }
     AKIMAP_INLINE Row squaredDistance(Row dx, Row dy, Row dz) const {
         const Row ey = dy - y_z * dz, ex = dx - x_z * dz - x_y * ey;
         return dz * dz * iz + ey * ey * iy + ex * ex * ix;
     }
 };
+
+Metric<float> metricOf(const Factored& f) {
+    return {static_cast<float>(1 / f.vz), static_cast<float>(f.y_z), static_cast<float>(1 / f.vy),
+            static_cast<float>(f.x_z),    static_cast<float>(f.x_y), static_cast<float>(1 / f.vx)};
+}
+
+Metric<Row> metricsOf(const Symmetric3* covariances, int count) {
+    Metric<Row> m{};
+    for (int lane = 0; lane < count; lane++) {
+        const Metric<float> one = metricOf(Factored(covariances[lane]));
+        m.iz[lane] = one.iz, m.y_z[lane] = one.y_z, m.iy[lane] = one.iy;
+        m.x_z[lane] = one.x_z, m.x_y[lane] = one.x_y, m.ix[lane] = one.ix;
+    }
+    return m;
+}
 
 Symmetric3 isotropic(double length) {
     const double v = length * length;
@@ -50,60 +58,65 @@ AKIMAP_INLINE Row absolute(Row v) {
     return (Row)((RowMask)v & 0x7fffffff);
 }
 
+AKIMAP_INLINE Row larger(Row a, Row b) {
+    return a > b ? a : b;
+}
+
 AKIMAP_INLINE RowMask isInside(Row dx, Row dy, Row dz, Row range, bool box) {
-    return box ? RowMask((absolute(dx) <= range) & (absolute(dy) <= range) &
-                         (absolute(dz) <= range))
-               : RowMask(dx * dx + dy * dy + dz * dz <= range * range);
+    return box ? larger(larger(absolute(dx), absolute(dy)), absolute(dz)) <= range
+               : dx * dx + dy * dy + dz * dz <= range * range;
 }
 
 /** Calls visit(inside, dx, dy, dz) for each of these points, seen from the group's samples. */
 template <class Visitor>
-AKIMAP_INLINE void forEachPoint(const NeighborRows& points, const PlaceList& near, const Group& g,
-                                Visitor&& visit) {
-    for (std::size_t n = 0; n < near.count; n++) {
-        const std::size_t i = near.places[n];
-        const Row dx = points.x()[i] - g.x, dy = points.y()[i] - g.y, dz = points.z()[i] - g.z;
+AKIMAP_INLINE void forEachPoint(const PointList& near, const Group& g, Visitor&& visit) {
+    for (std::size_t i = 0; i < near.count; i++) {
+        const Row dx = near.x[i] - g.x, dy = near.y[i] - g.y, dz = near.z[i] - g.z;
         visit(isInside(dx, dy, dz, g.range, g.box), dx, dy, dz);
     }
 }
 
-AKIMAP_INLINE Moments momentsIn(const NeighborRows& points, const PlaceList& near, const Group& g) {
+template <bool kFirst>  // whether first moments are wanted
+AKIMAP_INLINE Moments momentsIn(const PointList& near, const Group& g) {
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
     Moments m;
-    forEachPoint(points, near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
+    forEachPoint(near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
         dx = keep(inside, dx), dy = keep(inside, dy), dz = keep(inside, dz);
-        m.n += keep(inside, one), m.x += dx, m.y += dy, m.z += dz;
+        m.n += keep(inside, one);
+        if constexpr (kFirst) m.x += dx, m.y += dy, m.z += dz;
         m.xx += dx * dx, m.xy += dx * dy, m.xz += dx * dz;
         m.yy += dy * dy, m.yz += dy * dz, m.zz += dz * dz;
     });
     return m;
 }
 
-/** Squared distances r^2 of all these points from the group's samples; far where a point lies
- * outside a lane's region or its support u < limit.
- * \return the lanes that have a point in their supports */
-AKIMAP_INLINE RowMask distancesTo(const NeighborRows& points, const PlaceList& near, const Group& g,
-                                  const Metric& metric, float limit, std::vector<float>& u) {
-    constexpr float kFar = 1e9f;
+/** The lanes that have one of these points in their regions and supports u < limit. */
+AKIMAP_INLINE RowMask lanesThatMeet(const PointList& near, const Group& g,
+                                    const Metric<Row>& metric, float limit) {
     RowMask met{};
-    if (u.size() < 8 * near.count) u.resize(8 * near.count);
-    float* out = u.data();
-    forEachPoint(points, near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
-        const Row squared = metric.squaredDistance(dx, dy, dz);
-        inside &= squared < limit;
-        met |= inside;
-        storeRow(out, inside ? squared : Row{} + kFar);
-        out += 8;
+    forEachPoint(near, g, [&](RowMask inside, Row dx, Row dy, Row dz) AKIMAP_INLINE_LAMBDA {
+        met |= inside & (metric.squaredDistance(dx, dy, dz) < limit);
     });
     return met;
 }
 
-/** Adds a lane's points in its support to the problem. */
-void addSupport(const std::vector<float>& u, std::size_t count, int lane, float limit,
-                bool positive, ScaleProblem& problem) {
-    const float* of_lane = u.data() + lane;
-    for (std::size_t i = 0; i < count; i++)
-        if (of_lane[8 * i] < limit) problem.add(of_lane[8 * i], positive);
+/** Adds the points in a lane's region and support u < limit to the problem. */
+AKIMAP_INLINE void addSupport(const PointList& near, const Group& g, int lane,
+                              const Metric<float>& metric, float limit, bool positive,
+                              SelectorScratch& scratch) {
+    std::vector<float>& hits = scratch.hits;
+    if (hits.size() < near.count + 8) hits.resize(2 * near.count + 8);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < near.count; i += 8) {
+        const Row dx = loadRow(&near.x[i]) - g.x[lane], dy = loadRow(&near.y[i]) - g.y[lane],
+                  dz = loadRow(&near.z[i]) - g.z[lane];
+        const Row u = metric.squaredDistance(dx, dy, dz), range = Row{} + g.range[lane];
+        const RowMask listed = kLaneIndex < static_cast<int32_t>(near.count - i);
+        const uint32_t bits = bitsOf(listed & isInside(dx, dy, dz, range, g.box) & (u < limit));
+        storeRow(&hits[n], packed(u, bits));
+        n += static_cast<std::size_t>(__builtin_popcount(bits));
+    }
+    for (std::size_t i = 0; i < n; i++) scratch.problem.add(hits[i], positive);
 }
 
 /** First stage: the covariance of the neighbours of the same label, plus the floor. */
@@ -141,23 +154,29 @@ struct Label {
 /** Both stages, for one row of a label's samples after the other. */
 class Selector {
  public:
-    Selector(const Samples& s, const InsertionParameters& p, double resolution, const Label& label)
+    Selector(const Samples& s, const InsertionParameters& p, double resolution, const Label& label,
+             SelectorScratch& scratch)
         : s_(s),
           p_(p),
           label_(label),
           resolution_(resolution),
-          limit_(static_cast<float>(std::max(1.0, p.scale_max * p.scale_max))) {}
+          limit_(static_cast<float>(std::max(1.0, p.scale_max * p.scale_max))),
+          scratch_(scratch) {}
 
     AKIMAP_INLINE void select(std::size_t row, Symmetric3* H) {
         const Group g = groupOf(row);
-        label_.same.findPoints(g.bounds, near_same_);
-        const Moments m = momentsIn(label_.same, near_same_, g);
+        label_.same.findPoints(g.bounds, scratch_.same);
+        scratch_.tested += scratch_.same.count;
+        const Moments m = p_.covariance_center == CovarianceCenter::mean
+                              ? momentsIn<true>(scratch_.same, g)
+                              : momentsIn<false>(scratch_.same, g);
         Symmetric3 own[NeighborRows::kRow];
         for (int lane = 0; lane < label_.same.countIn(row); lane++)
             own[lane] = covarianceOf(m, lane, p_, resolution_);
         if (p_.bandwidth == Bandwidth::adaptive) {
-            label_.other.findPoints(g.bounds, near_other_);
-            if (near_other_.count) scale(g, m, label_.same.countIn(row), own);
+            label_.other.findPoints(g.bounds, scratch_.other);
+            scratch_.tested += scratch_.other.count;
+            if (scratch_.other.count) scale(g, m, label_.same.countIn(row), own);
         }
         for (int lane = 0; lane < label_.same.countIn(row); lane++)
             H[sampleAt(row, lane)] = own[lane];
@@ -186,16 +205,13 @@ class Selector {
 
     /** Second stage, for the samples whose kernels hold a point of the other label. */
     AKIMAP_INLINE void scale(const Group& g, const Moments& m, int count, Symmetric3* own) {
-        Metric metric{};
-        for (int lane = 0; lane < count; lane++) metric.set(lane, Factored(own[lane]));
-        const RowMask met = distancesTo(label_.other, near_other_, g, metric, limit_, u_other_);
-        uint32_t bits = bitsOf(met & (m.n > 2.0f));
-        if (bits) distancesTo(label_.same, near_same_, g, metric, limit_, u_same_);
-        for (; bits; bits &= bits - 1) {
+        const RowMask met = lanesThatMeet(scratch_.other, g, metricsOf(own, count), limit_);
+        for (uint32_t bits = bitsOf(met & (m.n > 2.0f)); bits; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
-            problem_.clear();
-            addSupport(u_other_, near_other_.count, lane, limit_, false, problem_);
-            addSupport(u_same_, near_same_.count, lane, limit_, true, problem_);
+            const Metric<float> metric = metricOf(Factored(own[lane]));
+            scratch_.problem.clear();
+            addSupport(scratch_.other, g, lane, metric, limit_, false, scratch_);
+            addSupport(scratch_.same, g, lane, metric, limit_, true, scratch_);
             own[lane] = scaled(own[lane], scaleOf(own[lane]));
         }
     }
@@ -204,9 +220,9 @@ class Selector {
         const double shortest = p_.scale_min_length > 0 ? p_.scale_min_length : resolution_;
         const double lowest = shortest / longestSemiAxis(covariance);
         if (p_.scale_search == ScaleSearch::descent)
-            return problem_.descend(1 / std::sqrt(Factored(covariance).determinant()),
-                                    std::min(lowest, 1.0));
-        return problem_.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
+            return scratch_.problem.descend(1 / std::sqrt(Factored(covariance).determinant()),
+                                            std::min(lowest, 1.0));
+        return scratch_.problem.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
     }
 
     const Samples& s_;
@@ -214,9 +230,7 @@ class Selector {
     const Label& label_;
     double resolution_;
     float limit_;
-    ScaleProblem problem_;
-    std::vector<float> u_same_, u_other_;  // a row for each point near, a lane for each sample
-    PlaceList near_same_, near_other_;     // points in the group's bounds
+    SelectorScratch& scratch_;
 };
 
 AKIMAP_MULTIVERSION
@@ -225,11 +239,12 @@ void selectRows(Selector& selector, std::size_t begin, std::size_t end, Symmetri
 }
 
 void selectLabel(const Samples& s, const InsertionParameters& p, double resolution,
-                 const Label& label, std::vector<Symmetric3>& H) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, label.same.rows(), 8), [&](const auto& r) {
-        Selector selector(s, p, resolution, label);
-        selectRows(selector, r.begin(), r.end(), H.data());
-    });
+                 const Label& label, NeighborScratch& scratch, std::vector<Symmetric3>& H) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, label.same.rows(), 32),
+                      [&](const auto& r) {
+                          Selector selector(s, p, resolution, label, scratch.per_thread.local());
+                          selectRows(selector, r.begin(), r.end(), H.data());
+                      });
 }
 
 }  // namespace
@@ -255,8 +270,8 @@ void bandwidths(const Samples& s, const InsertionParameters& p, double resolutio
     tbb::parallel_invoke(
         [&] { scratch.occupied.build(x, y, z, k, resolution); },
         [&] { scratch.free.build(x + k, y + k, z + k, s.size() - k, resolution); });
-    selectLabel(s, p, resolution, {scratch.occupied, scratch.free, 0}, H);
-    selectLabel(s, p, resolution, {scratch.free, scratch.occupied, k}, H);
+    selectLabel(s, p, resolution, {scratch.occupied, scratch.free, 0}, scratch, H);
+    selectLabel(s, p, resolution, {scratch.free, scratch.occupied, k}, scratch, H);
 }
 
 }  // namespace akimap

@@ -67,15 +67,11 @@ double kernelSlope(double r) {
 }  // namespace
 
 void ScaleProblem::clear() {
-    size_ = 0, spread_ = false, nearest_negative_ = kFar;
-    r_.clear(), target_.clear();
+    size_ = rows_end_ = 0, spread_ = false, nearest_negative_ = kFar;
 }
 
 void ScaleProblem::add(float u, bool positive) {
-    if (size_ == r_.size()) {
-        r_.resize(size_ + 4, kFar);
-        target_.resize(size_ + 4, 0);
-    }
+    if (size_ == rows_end_) startRow();
     const double r = std::sqrt(static_cast<double>(u));
     r_[size_] = r;
     // By the polynomial, so that an unchanged scale misses no target.
@@ -86,8 +82,14 @@ void ScaleProblem::add(float u, bool positive) {
         nearest_negative_ = std::min(nearest_negative_, r);
 }
 
+void ScaleProblem::startRow() {
+    rows_end_ += 4;
+    if (rows_end_ > r_.size()) r_.resize(2 * rows_end_), target_.resize(2 * rows_end_);
+    for (std::size_t i = size_; i < rows_end_; i++) r_[i] = kFar, target_[i] = 0;
+}
+
 double ScaleProblem::objective(double s) const {
-    return sumOfSquares(r_.data(), target_.data(), r_.size(), s) / (s * s * s);
+    return sumOfSquares(r_.data(), target_.data(), rows_end_, s) / (s * s * s);
 }
 
 double ScaleProblem::bestCandidate(double lowest, double step) const {
@@ -138,7 +140,7 @@ double ScaleProblem::minimise(double lowest, double highest) const {
 }
 
 double ScaleProblem::slope(double s) const {
-    return slopeOfSquares(r_.data(), target_.data(), r_.size(), s);
+    return slopeOfSquares(r_.data(), target_.data(), rows_end_, s);
 }
 
 double ScaleProblem::gradient(double weight, double s) const {

@@ -37,7 +37,8 @@ class ScaleProblem {
     [[nodiscard]] double bestCandidate(double lowest, double step) const;
     [[nodiscard]] double polish(double a, double b) const;
     [[nodiscard]] double slope(double s) const;
-    std::size_t size_ = 0;
+    void startRow();
+    std::size_t size_ = 0, rows_end_ = 0;
     bool spread_ = false;             // whether there are positives but at the sample itself
     double nearest_negative_ = 0;     // the least r of a negative
     std::vector<double> r_, target_;  // targets t of Eq. (6); whole rows, padded
