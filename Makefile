@@ -18,7 +18,7 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libcairo2-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libxml2-utils \
   libegl1 libgl1-mesa-dri xvfb xauth xdotool netpbm
 
-.PHONY: all configure deps demo test bench benchmark doc-mrpt asan tsan test-trixie format clean help
+.PHONY: all configure deps demo test bench bench-instructions benchmark doc-mrpt asan tsan test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -57,6 +57,11 @@ benchmark: configure
 bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
+
+# Instructions of each room on a fixed workload; needs valgrind.
+bench-instructions: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target bench_instructions -- --no-print-directory
+	@benchmarks/instructions.sh $(BUILD)/bin
 
 # The tables of doc/mrpt.md, for the MRPT that is installed here.
 doc-mrpt: configure

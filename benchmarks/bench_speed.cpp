@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <random>
 
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
@@ -89,11 +90,65 @@ void compare(const bench::Scene& scene) {
     std::printf("  map memory         %.1f bytes a cell with evidence\n", last.bytes_per_cell);
 }
 
+/** Random point queries of one thread, and visits of all cells, in a map of the scene. */
+void query(const bench::Scene& scene) {
+    AkiMap map;
+    for (const auto& scan : scene.scans) map.insertRays(scan);
+    constexpr std::size_t kQueries = 2000000;
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> u(0, 1);
+    std::vector<mrpt::math::TPoint3D> points;
+    for (std::size_t i = 0; i < kQueries; i++)
+        points.emplace_back(7 * u(random), 10 * u(random), 2 * u(random));
+    double sum = 0;
+    mrpt::system::CTicTac clock;
+    for (const auto& p : points)
+        if (const auto cell = map.cell(p.x, p.y, p.z)) sum += cell->occupancy();
+    const double queries = clock.Tac();
+    constexpr int kVisits = 10;
+    std::size_t cells = 0;
+    clock.Tic();
+    for (int i = 0; i < kVisits; i++)
+        map.grid().forEachCell([&](const CellIndex&, float alpha, float) {
+            sum += static_cast<double>(alpha), cells++;
+        });
+    const double visits = clock.Tac();
+    std::printf("queries in a map of %zu cells (sum %.3g)\n", map.cellCount(), sum);
+    std::printf("  random points      %.1f million a second and thread\n",
+                kQueries / queries / 1e6);
+    std::printf("  visiting cells     %.0f million a second\n",
+                static_cast<double>(cells) / visits / 1e6);
+}
+
+/** A 16-beam lidar at 10 m range: the median time of an insertion on two threads, and that of
+ * late ones beside early ones. */
+void drive() {
+    constexpr std::size_t kScans = 40, kEnds = 10;
+    const bench::LidarDrive lidar = bench::simulatedLidar(kScans);
+    AkiMap map;
+    map.insertionOptions.threads = 2, map.insertionOptions.max_range = 10;
+    std::vector<double> all;
+    for (const auto& scan : lidar.scans) {
+        mrpt::system::CTicTac clock;
+        map.insertRays(scan);
+        all.push_back(clock.Tac());
+    }
+    const auto early = median({all.begin(), all.begin() + kEnds}),
+               late = median({all.end() - kEnds, all.end()});
+    std::printf("%s, %zu scans of %zu points within 10 m, 2 threads\n", lidar.name.c_str(), kScans,
+                lidar.scans.front().size());
+    std::printf(
+        "  insertion          %.1f ms a scan (median); the last %zu take %.2f x the first\n",
+        1e3 * median(all), kEnds, late / early);
+}
+
 }  // namespace
 
 int main() try {
     compare(bench::la3dmStructured());
     compare(bench::simulated(app::SceneKind::structured, 1, 0.05));
+    query(bench::simulated(app::SceneKind::structured, 1, 0.05));
+    drive();
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "bench_speed: %s\n", e.what());

@@ -2,17 +2,29 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <vector>
 
 #include "Factored.h"
-#include "NeighborGrid.h"
+#include "NeighborRows.h"
 #include "sampling.h"
+#include "scale.h"
 
 namespace akimap {
 
+/** Buffers of one thread. */
+struct SelectorScratch {
+    PointList same, other;    ///< points of either label near eight samples
+    std::vector<float> hits;  ///< squared distances of those in a sample's support
+    ScaleProblem problem;
+    uint64_t tested = 0;  ///< points tested against the regions of eight samples, since the start
+};
+
 /** Buffers of the bandwidth stage, kept between scans. */
 struct NeighborScratch {
-    NeighborGrid occupied, free;
+    NeighborRows occupied, free;
+    tbb::enumerable_thread_specific<SelectorScratch> per_thread;
 };
 
 /** Room 3: the bandwidth matrix H [m^2] of each sample (paper, Sec. IV-C), by the first stage

@@ -36,19 +36,34 @@ AKIMAP_INLINE T kernelOfSquare(T u, T g) {
     return g2 * g2 * g * p;
 }
 
+/** Coefficients of Eq. (5) / (1 - r^2)^5 as a polynomial in r, the highest power first. */
+constexpr double kRadiusCoefficients[] = {
+    0.28616220614306342, -2.0536789078722051,   6.7069447715206953,  -13.2757601310824,
+    17.932306306549268,  -17.681608165510784,   13.370769108733118,  -8.115086583148992,
+    3.674504150087615,   0.0060209514569440625, -1.5799973726682102, 4.4906264944910568e-06,
+    0.99999998716414051};
+
 /** Eq. (5) to within 1.3e-8 of itself, as (1 - r^2)^5 times a polynomial in r; 0 from r = 1 on.
  * For rows of doubles, where a minimum has to be found to many digits. */
 template <class T>
 AKIMAP_INLINE T kernelOfRadius(T r) {
-    constexpr double kCoefficients[] = {
-        0.28616220614306342, -2.0536789079722051,   6.7069447715206953,  -13.2757601310824,
-        17.932306306549268,  -17.681608165510784,   13.370769108733118,  -8.115086583148992,
-        3.674504150087615,   0.0060209514569440625, -1.5799973726682102, 4.4906264944910568e-06,
-        0.99999998716414051};
     const T u = r * r, g = keep(u < 1.0, 1.0 - u), g2 = g * g;
     T p = r * 0.0;
-    for (const double c : kCoefficients) p = p * r + c;
+    for (const double c : kRadiusCoefficients) p = p * r + c;
     return g2 * g2 * g * p;
+}
+
+/** kernelOfRadius() and -r times its derivative. */
+template <class T>
+struct KernelAndFall {
+    T k, fall;
+};
+template <class T>
+AKIMAP_INLINE KernelAndFall<T> kernelAndFall(T r) {
+    const T u = r * r, g = keep(u < 1.0, 1.0 - u), g2 = g * g, g4 = g2 * g2;
+    T p = r * 0.0, slope = r * 0.0;
+    for (const double c : kRadiusCoefficients) slope = slope * r + p, p = p * r + c;
+    return {g4 * g * p, g4 * (10.0 * u * p - g * r * slope)};
 }
 
 }  // namespace akimap

@@ -21,7 +21,7 @@ class ScaleProblem {
     [[nodiscard]] double objective(double s) const;
 
     /** The s in [lowest, highest] that minimises Eq. (7): the best of a fixed set of candidates,
-     * polished by golden-section search between its neighbours. */
+     * polished between its neighbours; of equal minima the largest. */
     [[nodiscard]] double minimise(double lowest, double highest) const;
 
     /** The derivative of Eq. (7) by s as the authors' code has it: right as long as all neighbours
@@ -34,8 +34,13 @@ class ScaleProblem {
     [[nodiscard]] double descend(double weight, double lowest) const;
 
  private:
+    [[nodiscard]] double bestCandidate(double lowest, double step) const;
     [[nodiscard]] double polish(double a, double b) const;
-    std::size_t size_ = 0;
+    [[nodiscard]] double slope(double s) const;
+    void startRow();
+    std::size_t size_ = 0, rows_end_ = 0;
+    bool spread_ = false;             // whether there are positives but at the sample itself
+    double nearest_negative_ = 0;     // the least r of a negative
     std::vector<double> r_, target_;  // targets t of Eq. (6); whole rows, padded
 };
 

@@ -15,115 +15,136 @@ namespace {
 
 constexpr int kSide = Block::kSide;
 
-Kernel makeKernel(const Symmetric3& h, double x, double y, double z, double resolution) {
-    Kernel k{};
-    const double per_cell = 1 / resolution, scale = per_cell * per_cell;
-    k.x = x * per_cell - 0.5, k.y = y * per_cell - 0.5, k.z = z * per_cell - 0.5;
+AKIMAP_INLINE Kernel makeKernel(const Symmetric3& h, const double (&place)[3], double resolution) {
+    const double area = resolution * resolution;
     const Factored f(h);
+    Kernel k{};
+    k.x = place[0], k.y = place[1], k.z = place[2];
     k.y_z = f.y_z, k.x_z = f.x_z, k.x_y = f.x_y;
-    k.vz = f.vz * scale, k.vy = f.vy * scale, k.vx = f.vx * scale;
-    k.iz = 1 / k.vz, k.iy = 1 / k.vy, k.ix = 1 / k.vx;
-    k.reach_x = std::sqrt(h.xx * scale), k.reach_y = std::sqrt(h.yy * scale);
+    k.iz = static_cast<float>(area / f.vz), k.iy = static_cast<float>(area / f.vy),
+    k.ix = static_cast<float>(area / f.vx);
     k.weight = static_cast<float>(1 / std::sqrt(f.determinant()));
     return k;
 }
 
-/** Integers i with |i - center| < reach, clipped to [low, high]. */
-struct Interval {
-    int first, last;
-    Interval(double center, double reach, int low, int high)
-        : first(static_cast<int>(std::max<double>(std::ceil(center - reach), low))),
-          last(static_cast<int>(std::min<double>(std::floor(center + reach), high))) {}
-};
-
-/** Adds one row of cells, the first of which is at x = 0, of a kernel that cuts the interval
- * center -+ half out of it. Near its ends 1 - u is a small difference and k the fifth power of it:
- * the ends are taken relative to a cell near the centre, where floats are densest. */
-AKIMAP_INLINE void addRow(float* cells, double center, double half, float inverse_vx, float weight,
-                          Row& reached) {
-    constexpr Row lanes = {0, 1, 2, 3, 4, 5, 6, 7};
-    const double near = std::floor(center);
-    const float low = static_cast<float>(center - half - near),
-                high = static_cast<float>(center + half - near);
-    const Row t = lanes - static_cast<float>(near);
-    const Row g_signed = (t - low) * (high - t) * inverse_vx;  // negative outside
-    const Row g = keep(g_signed > 0.0f, g_signed);
-    reached += g;
-    storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * weight);
-}
-
-/** Adds a kernel to the plane (alpha or beta) of the block whose lowest cell is (bx, by, bz). */
-AKIMAP_INLINE void addKernel(const Kernel& k, int bx, int by, int bz, float* plane, Row& reached) {
-    const double cz = k.z - bz, cy = k.y - by, cx = k.x - bx;
-    const float inverse_vx = static_cast<float>(k.ix);
-    const Interval zs(cz, std::sqrt(k.vz), 0, kSide - 1);
-    for (int z = zs.first; z <= zs.last; z++) {
-        const double dz = z - cz, left_z = 1 - dz * dz * k.iz;
-        if (left_z <= 0) continue;
-        const double y0 = cy + k.y_z * dz;
-        const Interval ys(y0, std::sqrt(k.vy * left_z), 0, kSide - 1);
-        for (int y = ys.first; y <= ys.last; y++) {
-            const double ey = y - y0, left = left_z - ey * ey * k.iy;
-            if (left <= 0) continue;
-            const double x0 = cx + k.x_z * dz + k.x_y * ey, half = std::sqrt(k.vx * left);
-            if (x0 + half <= 0 || x0 - half >= kSide - 1) continue;
-            addRow(plane + Block::offset(0, y, z), x0, half, inverse_vx, k.weight, reached);
+AKIMAP_MULTIVERSION
+void makeKernelRange(const Samples& s, const std::vector<Symmetric3>& H, double resolution,
+                     std::size_t begin, std::size_t end, ScatterScratch& scratch) {
+    const double per_cell = 1 / resolution;
+    for (std::size_t i = begin; i < end; i++) {
+        const double place[3] = {s.x[i] * per_cell - 0.5, s.y[i] * per_cell - 0.5,
+                                 s.z[i] * per_cell - 0.5};
+        const double variance[3] = {H[i].xx, H[i].yy, H[i].zz};
+        scratch.kernels[i] = makeKernel(H[i], place, resolution);
+        for (int a = 0; a < 3; a++) {
+            const double reach = std::sqrt(variance[a]) * per_cell;
+            scratch.boxes[i].first[a] = static_cast<int32_t>(std::ceil(place[a] - reach));
+            scratch.boxes[i].last[a] = static_cast<int32_t>(std::floor(place[a] + reach));
         }
     }
 }
 
-/** \return whether a kernel reached the centre of any of its cells */
-AKIMAP_MULTIVERSION
-bool addToBlock(const ScatterScratch& s, const uint32_t* first, const uint32_t* last,
-                std::size_t occupied, const CellIndex& corner, Block& block) {
-    Row reached{};  // the sum of 1 - u over all cells
-    for (const uint32_t* i = first; i != last; ++i)
-        addKernel(s.kernels[*i], corner.x, corner.y, corner.z,
-                  *i < occupied ? block.alpha.data() : block.beta.data(), reached);
-    return sumOf(reached) > 0;
-}
-
 void makeKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                 std::vector<Kernel>& kernels) {
-    kernels.resize(samples.size());
+                 ScatterScratch& s) {
+    s.kernels.resize(samples.size());
+    s.boxes.resize(samples.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), 512), [&](const auto& r) {
-        for (std::size_t i = r.begin(); i != r.end(); ++i)
-            kernels[i] = makeKernel(H[i], samples.x[i], samples.y[i], samples.z[i], resolution);
+        makeKernelRange(samples, H, resolution, r.begin(), r.end(), s);
     });
-}
-
-int blockAt(double cell) {
-    return static_cast<int>(std::floor(cell / kSide));
 }
 
 /** Lists the blocks (relative to the anchor) that each kernel's bounding box meets. */
 void listTouched(ScatterScratch& s) {
     s.touched.clear(), s.keys.clear(), s.pairs.clear();
-    for (uint32_t i = 0; i < s.kernels.size(); i++) {
-        const Kernel& k = s.kernels[i];
-        const double reach_z = std::sqrt(k.vz);
-        const int x0 = blockAt(std::ceil(k.x - k.reach_x)), x1 = blockAt(k.x + k.reach_x);
-        const int y0 = blockAt(std::ceil(k.y - k.reach_y)), y1 = blockAt(k.y + k.reach_y);
-        const int z0 = blockAt(std::ceil(k.z - reach_z)), z1 = blockAt(k.z + reach_z);
-        for (int z = z0; z <= z1; z++)
-            for (int y = y0; y <= y1; y++)
-                for (int x = x0; x <= x1; x++) {
+    for (uint32_t i = 0; i < s.boxes.size(); i++) {
+        const KernelBox& b = s.boxes[i];
+        if (b.first[0] > b.last[0] || b.first[1] > b.last[1]) continue;  // between two cells
+        for (int z = b.first[2] >> 3; z <= b.last[2] >> 3; z++) {
+            const int begin = std::max(b.first[2] - z * kSide, 0),
+                      end = std::min(b.last[2] - z * kSide, kSide - 1) + 1;
+            const Touch touch{i, static_cast<uint16_t>(begin), static_cast<uint16_t>(end)};
+            for (int y = b.first[1] >> 3; y <= b.last[1] >> 3; y++)
+                for (int x = b.first[0] >> 3; x <= b.last[0] >> 3; x++) {
                     const uint64_t key = packKey({x, y, z});
                     const auto [number, added] =
                         s.touched.insert(key, static_cast<uint32_t>(s.keys.size()));
                     if (added) s.keys.push_back(key);
-                    s.pairs.emplace_back(number, i);
+                    s.pairs.emplace_back(number, touch);
                 }
+        }
     }
 }
 
 /** Counting sort of the pairs by block; within a block the kernels stay in order. */
 void groupByBlock(ScatterScratch& s) {
     s.start.assign(s.keys.size() + 2, 0);
-    for (const auto& [block, kernel] : s.pairs) ++s.start[block + 2];
+    for (const auto& [block, touch] : s.pairs) ++s.start[block + 2];
     for (std::size_t b = 2; b < s.start.size(); b++) s.start[b] += s.start[b - 1];
-    s.kernels_of.resize(s.pairs.size());
-    for (const auto& [block, kernel] : s.pairs) s.kernels_of[s.start[block + 1]++] = kernel;
+    s.touches.resize(s.pairs.size());
+    for (const auto& [block, touch] : s.pairs) s.touches[s.start[block + 1]++] = touch;
+}
+
+/** What a kernel leaves of the rows of a block: row r = (y, z) runs along x, and its cells have
+ * 1 - r^2 = left[r] - (x - x0[r])^2 ix. */
+struct Rows {
+    alignas(32) double x0[kSide * kSide];
+    alignas(32) float left[kSide * kSide];
+};
+
+/** Places 0 to 7 minus a place, in doubles until they are small: a thin kernel far from the
+ * block's corner keeps its digits. */
+constexpr DoubleRow kLow = {0, 1, 2, 3}, kHigh = {4, 5, 6, 7};
+
+/** Cuts a kernel into the rows of the block's layers [begin, end), eight at a time.
+ * \return one bit a row: whether the kernel's infinite cylinder along x reaches it */
+AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int begin, int end,
+                                   Rows& rows) {
+    const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
+    uint64_t reached = 0;
+    for (int z = begin; z < end; z++) {
+        const double dz = z - cz;
+        const float left_z = 1 - static_cast<float>(dz * dz) * k.iz;
+        const double y0 = cy + k.y_z * dz, x_layer = cx + k.x_z * dz;
+        const DoubleRow ey_low = kLow - y0, ey_high = kHigh - y0;
+        const Row ey = joined(ey_low, ey_high), left = left_z - ey * ey * k.iy;
+        storeRow(rows.left + z * kSide, left);
+        storeRow(rows.x0 + z * kSide, x_layer + k.x_y * ey_low);
+        storeRow(rows.x0 + z * kSide + 4, x_layer + k.x_y * ey_high);
+        reached |= static_cast<uint64_t>(bitsOf(left > 0.0f)) << (z * kSide);
+    }
+    return reached;
+}
+
+/** Adds a kernel to the plane (alpha or beta) of the block with this lowest cell: first all of its
+ * rows, then a single loop over those it reaches, as nested loops of two or three rounds each are
+ * mispredicted most of the time. */
+AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Touch& touch,
+                             float* plane, Rows& rows, RowMask& reached) {
+    uint64_t bits = cutIntoRows(k, corner, touch.begin, touch.end, rows);
+    for (; bits; bits &= bits - 1) {
+        const int r = __builtin_ctzll(bits);
+        const Row ex = joined(kLow - rows.x0[r], kHigh - rows.x0[r]);
+        const Row g_signed = rows.left[r] - ex * ex * k.ix;  // 1 - r^2: negative outside
+        const Row g = keep(g_signed > 0.0f, g_signed);
+        reached |= (RowMask)g;
+        float* cells = plane + r * kSide;
+        storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * k.weight);
+    }
+}
+
+/** \return whether a kernel reached the centre of any of its cells */
+AKIMAP_MULTIVERSION
+bool addToBlock(const ScatterScratch& s, const Touch* first, const Touch* last,
+                std::size_t occupied, const CellIndex& corner, Block& block) {
+    constexpr int kAhead = 4;
+    Rows rows;
+    RowMask reached{};  // not zero where 1 - r^2 > 0 was met
+    for (const Touch* t = first; t != last; ++t) {
+        if (t + kAhead < last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
+        addKernel(s.kernels[t->kernel], corner, *t,
+                  t->kernel < occupied ? block.alpha.data() : block.beta.data(), rows, reached);
+    }
+    return bitsOf(reached != 0) != 0;
 }
 
 BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
@@ -135,7 +156,7 @@ BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
 
 bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
              ScatterScratch& s) {
-    makeKernels(samples, H, grid.resolution(), s.kernels);
+    makeKernels(samples, H, grid.resolution(), s);
     listTouched(s);
     groupByBlock(s);
 
@@ -155,9 +176,9 @@ bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid
 
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
         const CellIndex c = unpackKey(s.keys[b]);
-        const uint32_t* kernels = s.kernels_of.data();
+        const Touch* touches = s.touches.data();
         s.reached[b] =
-            addToBlock(s, kernels + s.start[b], kernels + s.start[b + 1], samples.occupied,
+            addToBlock(s, touches + s.start[b], touches + s.start[b + 1], samples.occupied,
                        {c.x * kSide, c.y * kSide, c.z * kSide}, *s.blocks[b]);
     });
 

@@ -11,25 +11,37 @@ namespace akimap {
 
 /** A sample's kernel ready to be added to rows of cells: lengths in cells, places such that cell
  * i's centre is at i, relative to the scan's anchor. Its ellipsoid is described by successive
- * regression, z first, so that the interval it cuts out of any row is known in closed form:
- *   (dz^2 / vz) + ((dy - y_z dz)^2 / vy) + ((dx - x_z dz - x_y (dy - y_z dz))^2 / vx) < 1. */
-struct Kernel {
+ * regression, z first (see Factored), so that what it leaves of a row of cells is a parabola:
+ *   1 - r^2 = 1 - dz^2 iz - ey^2 iy - ex^2 ix,  ey = dy - y_z dz,  ex = dx - x_z dz - x_y ey. */
+struct alignas(64) Kernel {  // one cache line
     double x, y, z;
-    double vz, y_z, vy, x_z, x_y, vx;
-    double iz, iy, ix;        // 1 / vz, 1 / vy, 1 / vx
-    double reach_x, reach_y;  // half sides of the bounding box; that along z is sqrt(vz)
-    float weight;             // |H|^(-1/2) [m^-3]
+    double y_z, x_z, x_y;
+    float iz, iy, ix;
+    float weight;  // |H|^(-1/2) [m^-3]
+};
+
+/** The cells of a kernel's bounding box, both ends included; none if first > last on an axis. */
+struct KernelBox {
+    int32_t first[3], last[3];
+};
+
+/** A kernel that may reach a block: it meets the block's layers z in [begin, end). */
+struct Touch {
+    uint32_t kernel;
+    uint16_t begin, end;
 };
 
 /** Buffers of the update stage, kept between scans. */
 struct ScatterScratch {
     std::vector<Kernel> kernels;
-    KeyTable touched;                         // block key -> local number
-    std::vector<uint64_t> keys;               // of the touched blocks, in order of first touch
-    std::vector<uint32_t> start, kernels_of;  // kernels that may reach each touched block
-    std::vector<std::pair<uint32_t, uint32_t>> pairs;  // (local block, kernel), kernels ascending
+    std::vector<KernelBox> boxes;
+    KeyTable touched;             // block key -> local number
+    std::vector<uint64_t> keys;   // of the touched blocks, in order of first touch
+    std::vector<uint32_t> start;  // of each touched block in `touches`; one more at the end
+    std::vector<Touch> touches;   // grouped by block, the kernels ascending
+    std::vector<std::pair<uint32_t, Touch>> pairs;  // (local block, touch), kernels ascending
     std::vector<Block*> blocks;
-    std::vector<char> reached;  // whether a cell of it gained evidence
+    std::vector<char> reached;                  // whether a cell of it gained evidence
     std::vector<std::shared_ptr<Block>> fresh;  // touched blocks that the grid does not have yet
 };
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+// Bounded work: operations counted, not timed, on scans made to be awkward.
+#include <gtest/gtest.h>
+
+#include "Scratch.h"
+
+using namespace akimap;
+
+namespace {
+
+/** Operations of one scan through rooms 2 to 4, a sample each. */
+struct Work {
+    double tested;   ///< points tested against regions of eight samples
+    double touches;  ///< kernels taken to a block
+    std::size_t samples;
+};
+
+class Insertion {
+ public:
+    explicit Insertion(double max_range = 8) { p_.max_range = max_range; }
+    Work insert(const std::vector<Ray>& rays) {
+        InsertionStats stats;
+        const uint64_t before = tested();
+        takeSamples(rays, p_, grid_, scans_++, s_.taken, s_.samples, stats);
+        bandwidths(s_.samples, p_, grid_.resolution(), s_.neighbors, s_.H);
+        scatter(s_.samples, s_.H, grid_, s_.scatter);
+        const auto n = static_cast<double>(s_.samples.size());
+        return {static_cast<double>(tested() - before) / n,
+                static_cast<double>(s_.scatter.touches.size()) / n, s_.samples.size()};
+    }
+
+ private:
+    [[nodiscard]] uint64_t tested() const {
+        uint64_t sum = 0;
+        for (const SelectorScratch& t : s_.neighbors.per_thread) sum += t.tested;
+        return sum;
+    }
+    InsertionParameters p_;
+    BlockGrid grid_{0.05};
+    AkiMap::Scratch s_;
+    uint64_t scans_ = 0;
+};
+
+/** n x n rays over a square wall of this half side [m] at this distance [m]. */
+std::vector<Ray> wall(double distance, double half, int n) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            rays.push_back(
+                {{0, 0, 0},
+                 {distance, half * (2.0 * i / (n - 1) - 1), half * (2.0 * j / (n - 1) - 1)}});
+    return rays;
+}
+
+}  // namespace
+
+TEST(Work, AnOrdinaryScan) {
+    const Work w = Insertion().insert(wall(3, 2, 100));
+    EXPECT_LT(w.tested, 100);
+    EXPECT_LT(w.touches, 12);
+}
+
+TEST(Work, AWallSeenFromTenCentimetres) {
+    const Work w = Insertion().insert(wall(0.1, 1, 300));
+    EXPECT_LT(w.tested, 100);
+    EXPECT_LT(w.touches, 12);
+}
+
+TEST(Work, AllPointsInFourCells) {
+    const Work w = Insertion().insert(wall(3.01, 0.01, 300));
+    EXPECT_LT(w.samples, 40u);  // four hits, and the free samples of their rays
+}
+
+TEST(Work, AMillionPointsOnALine) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < 1000000; i++) rays.push_back({{0, 0, 0}, {7e-6 * (i + 1), 0.01, 0.01}});
+    const Work w = Insertion().insert(rays);
+    EXPECT_LT(w.samples, 300u);  // cells of the line
+    EXPECT_LT(w.tested, 50);
+}
+
+TEST(Work, TheSameScanTwiceCostsTheSame) {
+    Insertion insertion;
+    const auto rays = wall(3, 2, 60);
+    const Work first = insertion.insert(rays), second = insertion.insert(rays);
+    EXPECT_NEAR(second.tested, first.tested, 0.05 * first.tested);
+    EXPECT_NEAR(second.touches, first.touches, 0.05 * first.touches);
+}
+
+TEST(Work, AFarPointChangesNothingForTheOthers) {
+    auto rays = wall(3, 2, 100);
+    const Work without = Insertion(500).insert(rays);
+    rays.push_back({{0, 0, 0}, {-400, 200, 50}});
+    const Work with = Insertion(500).insert(rays);
+    EXPECT_LT(with.tested, 1.5 * without.tested);
+}
