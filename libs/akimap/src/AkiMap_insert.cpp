@@ -58,6 +58,11 @@ void requireReachWithinGrid(const InsertionParameters& p, double resolution) {
     require("isotropic_length", p.isotropic_length);
 }
 
+/** [cells] Wide enough that neighbouring balls leave no hole. */
+double freeRadius(const InsertionParameters& p, double resolution) {
+    return std::clamp(p.free_radius / resolution, 1.5, double{FreeSpace::kMaxRadius});
+}
+
 }  // namespace
 
 bool AkiMap::insertRays(const std::vector<Ray>& rays) {
@@ -72,6 +77,21 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     tbb::task_arena arena(threadsFor(p));
     arena.execute([&] {
         Stopwatch watch;
+        if (p.estimator == Estimator::surface) {
+            EvidenceScratch& e = s.evidence;
+            e.rays = takeHits(rays, p, grid_, s.taken, s.samples, stats);
+            stats.seconds_sampling += watch.lap();
+            fitSurfels(s.samples, p, resolution(), e.fit, e.surfels, e.H);
+            stats.seconds_bandwidth += watch.lap();
+            const double radius = freeRadius(p, resolution());
+            markFree(e.rays, s.samples, e.surfels, radius, resolution(), e.free);
+            e.free.spread(radius);
+            BlockGrid surface(resolution());
+            scatter(s.samples, e.H, surface, s.scatter, KernelWeight::one);
+            changed = addEvidence(surface, e.free, radius, grid_, e);
+            stats.seconds_update += watch.lap();
+            return;
+        }
         takeSamples(rays, p, grid_, scan_index_, s.taken, s.samples, stats);
         stats.seconds_sampling += watch.lap();
         bandwidths(s.samples, p, resolution(), s.neighbors, s.H);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "evidence.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace akimap {
+namespace {
+double env(const char* k, double d) { const char* v = getenv(k); return v ? atof(v) : d; }
+
+const double kClearance = env("KCLEAR", 1.5);  // a ball's radius over its distance from the hit's plane
+const double kStep = env("KSTEP", 0.5);       // from ball to ball, over the radius
+const float kSurfaceWeight = static_cast<float>(env("KSW", 2));   // an observed surface counts as much as this many free ones
+const float kShadow = static_cast<float>(env("KSHADOW", 1));
+const double kMin = env("KMIN", 0.25);
+
+/** What one scan says of a cell, given the sum of its surface kernels and its power distance. */
+AKIMAP_INLINE void addCell(float surface, uint16_t power, float inverse_limit, float& alpha,
+                           float& beta) {
+    const float a = std::min(surface, 1.0f);
+    const float b = std::max(0.0f, 1.0f - static_cast<float>(power) * inverse_limit);
+    alpha += kSurfaceWeight * a;
+    beta += b * (1.0f - std::min(1.0f, kShadow * a));
+}
+
+AKIMAP_MULTIVERSION
+bool addBlock(const float* surface, const uint16_t* power, float inverse_limit, Block& block) {
+    float gained = 0;
+    for (int i = 0; i < Block::kCells; i++) {
+        const float a = block.alpha[i], b = block.beta[i];
+        addCell(surface ? surface[i] : 0.0f, power ? power[i] : FreeSpace::kFar, inverse_limit,
+                block.alpha[i], block.beta[i]);
+        gained += (block.alpha[i] - a) + (block.beta[i] - b);
+    }
+    return gained > 0;
+}
+
+/** Of a ray, away from its hit: where balls go. */
+struct Walk {
+    std::array<double, 3> end, back;  // [m] the hit, and the unit vector towards the origin
+    double length;                    // [m]
+    double rise;  // distance gained from the hit's surface on the way, in [0, 1]
+};
+
+Walk walkOf(const Ray& r, const Surfel& s) {
+    Walk w{r.end, {}, 0, 1};
+    for (std::size_t i = 0; i < 3; i++) w.back[i] = r.origin[i] - r.end[i];
+    w.length = std::hypot(w.back[0], w.back[1], w.back[2]);
+    for (double& b : w.back) b /= w.length;
+    if (s.flat)
+        w.rise = std::abs(w.back[0] * static_cast<double>(s.normal[0]) +
+                          w.back[1] * static_cast<double>(s.normal[1]) +
+                          w.back[2] * static_cast<double>(s.normal[2]));
+    return w;
+}
+
+}  // namespace
+
+void markFree(const std::vector<KeptRay>& rays, const Samples& hits,
+              const std::vector<Surfel>& surfels, double radius, double resolution,
+              FreeSpace& free) {
+    free.clear();
+    const double per_cell = 1 / resolution, largest = radius * radius;
+    (void)hits;
+    for (std::size_t i = 0; i < rays.size(); i++) {
+        const Walk w = walkOf(*rays[i].ray, surfels[i]);
+        const double length = w.length * per_cell;
+        for (double t = 1; t < length;) {
+            const double ball = std::min(radius, kClearance * t * w.rise);
+            if (ball >= kMin) {
+                const auto at = [&](std::size_t a) {
+                    return static_cast<int32_t>(
+                        std::floor(w.end[a] * per_cell + w.back[a] * t));
+                };
+                free.mark({at(0), at(1), at(2)},
+                          static_cast<uint16_t>(FreeSpace::kUnit * (largest - ball * ball)));
+            }
+            t += std::max(1.0, kStep * ball);
+        }
+    }
+}
+
+bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius, BlockGrid& grid,
+                 EvidenceScratch& s) {
+    KeyTable index;
+    struct Source {
+        const float* surface;
+        const uint16_t* power;
+    };
+    std::vector<Source> sources;
+    s.where.clear();
+    for (std::size_t i = 0; i < free.keys().size(); i++) {
+        const uint64_t key = free.keys()[i];
+        index.insert(key, static_cast<uint32_t>(i));
+        s.where.push_back(unpackKey(key));
+        sources.push_back({nullptr, free.plane(i).data()});
+    }
+    for (const auto& [place, block] : surface.sortedBlocks()) {
+        const auto [i, added] = index.insert(packKey(place), static_cast<uint32_t>(sources.size()));
+        if (added) s.where.push_back(place), sources.push_back({nullptr, nullptr});
+        sources[i].surface = block->alpha.data();
+    }
+
+    // All that may run out of memory comes before the first sum is changed.
+    const std::size_t n = sources.size();
+    s.blocks.assign(n, nullptr);
+    s.fresh.assign(n, nullptr);
+    std::vector<char> reached(n, 0);
+    grid.reserve(grid.blockCount() + n);
+    for (std::size_t b = 0; b < n; b++) s.blocks[b] = grid.own(s.where[b]);
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
+        if (s.blocks[b]) return;
+        s.fresh[b] = std::make_shared<Block>();
+        s.blocks[b] = s.fresh[b].get();
+    });
+    const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
+        reached[b] = addBlock(sources[b].surface, sources[b].power, inverse_limit, *s.blocks[b]);
+    });
+    bool changed = false;
+    for (std::size_t b = 0; b < n; b++) {
+        if (!reached[b]) continue;
+        changed = true;
+        if (s.fresh[b]) grid.adopt(s.where[b], std::move(s.fresh[b]));
+    }
+    s.fresh.clear();
+    return changed;
+}
+
+}  // namespace akimap

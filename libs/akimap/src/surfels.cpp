@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include "surfels.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Dense>
+#include <cstdlib>
+
+namespace akimap {
+namespace {
+double env(const char* k, double d) { const char* v = getenv(k); return v ? atof(v) : d; }
+
+const double kEnough = env("KENOUGH", 12);        // neighbours, the hit included
+const double kSmallest = env("KSMALL", 2.5);         // [cells] radius of the first ball
+const double kGrowth = env("KGROW", 1.5);           // from ball to ball
+const double kFlat = env("KFLAT", 0.1);             // largest ratio of the two lesser variances of a plane
+const double kFewestOfPlane = 5;    // points
+const double kThickness = env("KTHICK", 1.0);        // [cells] least semi-axis
+const double kThick2 = env("KTHICK2", 1.0);
+const double kWidth = env("KWIDTH", 3.0);            // [standard deviations] semi-axes along the surface
+const double kNarrowest = env("KNARROW", 3.0), kWidest = env("KWIDEST", 20);  // [cells] semi-axes along the surface
+const double kAlone = 2;            // [cells] semi-axis where there are no neighbours
+const double kTaper = env("KTAPER", 0.9);          // neighbours at the ball's surface weigh 1 - kTaper
+
+/** Weighted number and moments of the points in a ball, about its centre. */
+struct BallMoments {
+    double n = 0, w = 0, x = 0, y = 0, z = 0;
+    Symmetric3 m2;
+};
+
+AKIMAP_INLINE BallMoments momentsIn(const NeighborGrid& points, float cx, float cy, float cz,
+                                    float radius) {
+    Row n{}, w{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+    constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
+    const float limit = radius * radius, taper = static_cast<float>(kTaper) / limit;
+    points.forEachRun(cx, cy, cz, radius, [&](uint32_t begin, uint32_t end) AKIMAP_INLINE_LAMBDA {
+        for (uint32_t i = begin; i < end; i += 8) {
+            const Row dx = loadRow(points.x() + i) - cx, dy = loadRow(points.y() + i) - cy,
+                      dz = loadRow(points.z() + i) - cz, u = dx * dx + dy * dy + dz * dz;
+            const RowMask inside = (kLaneIndex < static_cast<int32_t>(end - i)) & (u <= limit);
+            const Row v = keep(inside, 1.0f - taper * u);
+            const Row vx = v * dx, vy = v * dy, vz = v * dz;
+            n += keep(inside, one), w += v, x += vx, y += vy, z += vz;
+            xx += vx * dx, xy += vx * dy, xz += vx * dz, yy += vy * dy, yz += vy * dz,
+                zz += vz * dz;
+        }
+    });
+    return {sumOf(n),
+            sumOf(w),
+            sumOf(x),
+            sumOf(y),
+            sumOf(z),
+            {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
+}
+
+Symmetric3 symmetric(const Eigen::Matrix3d& m) {
+    return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+}
+
+/** Fits one hit after the other. */
+class Fitter {
+ public:
+    Fitter(const NeighborGrid& points, const InsertionParameters& p, double resolution)
+        : points_(points), resolution_(resolution), range_(std::max(p.surface_range, resolution)) {}
+
+    AKIMAP_INLINE BallMoments neighbors(float x, float y, float z) const {
+        double radius = std::min(kSmallest * resolution_, range_);
+        for (;;) {
+            const BallMoments m = momentsIn(points_, x, y, z, static_cast<float>(radius));
+            if (m.n >= kEnough || radius >= range_) return m;
+            radius = std::min(radius * kGrowth, range_);
+        }
+    }
+
+    /** \param shift where the hit belongs, relative to itself [m] */
+    void fit(const BallMoments& m, Surfel& surfel, Symmetric3& H, Eigen::Vector3d& shift) const {
+        surfel = {{0, 0, 0}, false};
+        shift.setZero();
+        if (m.n < 3) {
+            const double v = kAlone * kAlone * resolution_ * resolution_;
+            H = {v, 0, 0, v, 0, v};
+            return;
+        }
+        const Eigen::Vector3d mean = Eigen::Vector3d(m.x, m.y, m.z) / m.w;
+        Eigen::Matrix3d second;
+        second << m.m2.xx, m.m2.xy, m.m2.xz, m.m2.xy, m.m2.yy, m.m2.yz, m.m2.xz, m.m2.yz, m.m2.zz;
+        const Eigen::Matrix3d covariance =
+            (second / m.w - mean * mean.transpose()) * (m.n - 1) / m.n;
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+        solver.computeDirect(covariance);
+        const Eigen::Vector3d variance = solver.eigenvalues().cwiseMax(0);
+        const Eigen::Matrix3d& axes = solver.eigenvectors();
+        const Eigen::Vector3d normal = axes.col(0);
+        if (m.n >= kFewestOfPlane && variance[0] < kFlat * variance[1]) {
+            shift = normal * normal.dot(mean);
+            surfel = {{static_cast<float>(normal[0]), static_cast<float>(normal[1]),
+                       static_cast<float>(normal[2])},
+                      true};
+        }
+        H = symmetric(axes * squaredSemiAxes(variance).asDiagonal() * axes.transpose());
+    }
+
+ private:
+    /** Of the ellipsoid, for the variances in increasing order. */
+    [[nodiscard]] Eigen::Vector3d squaredSemiAxes(const Eigen::Vector3d& variance) const {
+        const double thinnest = kThickness * resolution_;
+        Eigen::Vector3d v;
+        v[0] = thinnest * thinnest + kThick2 * kThick2 * variance[0];
+        for (int i : {1, 2}) {
+            const double length = std::clamp(kWidth * std::sqrt(variance[i]),
+                                             kNarrowest * resolution_, kWidest * resolution_);
+            v[i] = length * length;
+        }
+        return v;
+    }
+
+    const NeighborGrid& points_;
+    double resolution_, range_;
+};
+
+AKIMAP_MULTIVERSION
+void fitRange(const Fitter& fitter, const SurfelScratch& s, std::size_t begin, std::size_t end,
+              Samples& hits, Surfel* surfels, Symmetric3* H) {
+    for (std::size_t place = begin; place < end; place++) {  // in bin order, for the cache
+        const std::size_t i = s.grid.order()[place];
+        const BallMoments m = fitter.neighbors(s.x[i], s.y[i], s.z[i]);
+        Eigen::Vector3d shift;
+        fitter.fit(m, surfels[i], H[i], shift);
+        hits.x[i] += static_cast<float>(shift[0]);
+        hits.y[i] += static_cast<float>(shift[1]);
+        hits.z[i] += static_cast<float>(shift[2]);
+    }
+}
+
+}  // namespace
+
+void fitSurfels(Samples& hits, const InsertionParameters& p, double resolution,
+                SurfelScratch& scratch, std::vector<Surfel>& surfels, std::vector<Symmetric3>& H) {
+    surfels.resize(hits.size());
+    H.resize(hits.size());
+    scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move
+    scratch.grid.build(scratch.x.data(), scratch.y.data(), scratch.z.data(), hits.size(),
+                       static_cast<float>(kSmallest * resolution));
+    const Fitter fitter(scratch.grid, p, resolution);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hits.size(), 64), [&](const auto& r) {
+        fitRange(fitter, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
+    });
+}
+
+}  // namespace akimap
