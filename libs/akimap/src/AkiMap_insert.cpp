@@ -84,7 +84,7 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
             fitSurfels(s.samples, p, resolution(), e.fit, e.surfels, e.H);
             stats.seconds_bandwidth += watch.lap();
             const double radius = freeRadius(p, resolution());
-            markFree(e.rays, s.samples, e.surfels, radius, resolution(), e.free);
+            markFree(e.rays, e.surfels, radius, resolution(), e.free);
             e.free.spread(radius);
             BlockGrid surface(resolution());
             scatter(s.samples, e.H, surface, s.scatter, KernelWeight::one);

@@ -33,8 +33,8 @@ AKIMAP_INLINE Cells lesser(Cells a, Cells b) {
 AKIMAP_INLINE Cells leastAround(const uint16_t* in, int stride, int reach, const uint16_t* cost) {
     Cells least = loadCells(in);
     for (int d = 1; d <= reach; d++)
-        least = lesser(least,
-                       lesser(loadCells(in - d * stride), loadCells(in + d * stride)) + cost[d]);
+        least =
+            lesser(least, lesser(loadCells(in - d * stride), loadCells(in + d * stride)) + cost[d]);
     return least;
 }
 

@@ -25,8 +25,8 @@ class FreeSpace {
     void clear();
     /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kUnit] */
     void mark(const CellIndex& cell, uint16_t power) {
-        uint16_t& here = planeOf(BlockGrid::blockOf(cell))[static_cast<std::size_t>(
-            BlockGrid::offsetOf(cell))];
+        uint16_t& here =
+            planeOf(BlockGrid::blockOf(cell))[static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
         if (power < here) here = power;
     }
     /** \param radius R [cells], in (0, kMaxRadius]. The same for any number of threads; runs in the

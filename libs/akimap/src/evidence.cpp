@@ -6,17 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace akimap {
 namespace {
-double env(const char* k, double d) { const char* v = getenv(k); return v ? atof(v) : d; }
-
-const double kClearance = env("KCLEAR", 1.5);  // a ball's radius over its distance from the hit's plane
-const double kStep = env("KSTEP", 0.5);       // from ball to ball, over the radius
-const float kSurfaceWeight = static_cast<float>(env("KSW", 2));   // an observed surface counts as much as this many free ones
-const float kShadow = static_cast<float>(env("KSHADOW", 1));
-const double kMin = env("KMIN", 0.25);
+constexpr double kClearance = 1.5;   // a ball's radius over its distance from the hit's plane
+constexpr double kStep = 0.5;        // from ball to ball, over the radius
+constexpr double kLeastBall = 0.25;  // [cells]
+constexpr float kSurfaceWeight = 2;  // a surface counts as much as so many free spaces
 
 /** What one scan says of a cell, given the sum of its surface kernels and its power distance. */
 AKIMAP_INLINE void addCell(float surface, uint16_t power, float inverse_limit, float& alpha,
@@ -24,7 +20,7 @@ AKIMAP_INLINE void addCell(float surface, uint16_t power, float inverse_limit, f
     const float a = std::min(surface, 1.0f);
     const float b = std::max(0.0f, 1.0f - static_cast<float>(power) * inverse_limit);
     alpha += kSurfaceWeight * a;
-    beta += b * (1.0f - std::min(1.0f, kShadow * a));
+    beta += b * (1.0f - a);
 }
 
 AKIMAP_MULTIVERSION
@@ -60,21 +56,18 @@ Walk walkOf(const Ray& r, const Surfel& s) {
 
 }  // namespace
 
-void markFree(const std::vector<KeptRay>& rays, const Samples& hits,
-              const std::vector<Surfel>& surfels, double radius, double resolution,
-              FreeSpace& free) {
+void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels, double radius,
+              double resolution, FreeSpace& free) {
     free.clear();
     const double per_cell = 1 / resolution, largest = radius * radius;
-    (void)hits;
     for (std::size_t i = 0; i < rays.size(); i++) {
         const Walk w = walkOf(*rays[i].ray, surfels[i]);
         const double length = w.length * per_cell;
         for (double t = 1; t < length;) {
             const double ball = std::min(radius, kClearance * t * w.rise);
-            if (ball >= kMin) {
+            if (ball >= kLeastBall) {
                 const auto at = [&](std::size_t a) {
-                    return static_cast<int32_t>(
-                        std::floor(w.end[a] * per_cell + w.back[a] * t));
+                    return static_cast<int32_t>(std::floor(w.end[a] * per_cell + w.back[a] * t));
                 };
                 free.mark({at(0), at(1), at(2)},
                           static_cast<uint16_t>(FreeSpace::kUnit * (largest - ball * ball)));

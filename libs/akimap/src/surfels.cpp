@@ -6,23 +6,21 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Dense>
-#include <cstdlib>
 
 namespace akimap {
 namespace {
-double env(const char* k, double d) { const char* v = getenv(k); return v ? atof(v) : d; }
-
-const double kEnough = env("KENOUGH", 12);        // neighbours, the hit included
-const double kSmallest = env("KSMALL", 2.5);         // [cells] radius of the first ball
-const double kGrowth = env("KGROW", 1.5);           // from ball to ball
-const double kFlat = env("KFLAT", 0.1);             // largest ratio of the two lesser variances of a plane
-const double kFewestOfPlane = 5;    // points
-const double kThickness = env("KTHICK", 1.0);        // [cells] least semi-axis
-const double kThick2 = env("KTHICK2", 1.0);
-const double kWidth = env("KWIDTH", 3.0);            // [standard deviations] semi-axes along the surface
-const double kNarrowest = env("KNARROW", 3.0), kWidest = env("KWIDEST", 20);  // [cells] semi-axes along the surface
-const double kAlone = 2;            // [cells] semi-axis where there are no neighbours
-const double kTaper = env("KTAPER", 0.9);          // neighbours at the ball's surface weigh 1 - kTaper
+constexpr double kEnough = 10;        // neighbours, the hit included
+constexpr double kSmallest = 2.5;     // [cells] radius of the first ball
+constexpr double kGrowth = 1.3;       // from ball to ball
+constexpr double kTaper = 0.5;        // neighbours at the ball's surface weigh 1 - kTaper
+constexpr double kFewestOfPlane = 5;  // points
+constexpr double kFlat = 0.1;         // a plane's greatest ratio of its two lesser variances
+// Semi-axes of the ellipsoid. Half a cell's diagonal reaches a centre wherever the surface lies.
+constexpr double kThinnest = 0.8660254037844386;  // [cells] across the surface
+constexpr double kNoise = 0.5;                    // and so many standard deviations
+constexpr double kWidth = 4;                      // [standard deviations] along it
+constexpr double kNarrowest = 4;                  // [cells]
+constexpr double kAlone = 2;                      // [cells] where there are too few neighbours
 
 /** Weighted number and moments of the points in a ball, about its centre. */
 struct BallMoments {
@@ -47,12 +45,8 @@ AKIMAP_INLINE BallMoments momentsIn(const NeighborGrid& points, float cx, float 
                 zz += vz * dz;
         }
     });
-    return {sumOf(n),
-            sumOf(w),
-            sumOf(x),
-            sumOf(y),
-            sumOf(z),
-            {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
+    return {sumOf(n), sumOf(w), sumOf(x),
+            sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
 }
 
 Symmetric3 symmetric(const Eigen::Matrix3d& m) {
@@ -105,12 +99,12 @@ class Fitter {
  private:
     /** Of the ellipsoid, for the variances in increasing order. */
     [[nodiscard]] Eigen::Vector3d squaredSemiAxes(const Eigen::Vector3d& variance) const {
-        const double thinnest = kThickness * resolution_;
+        const double thinnest = kThinnest * resolution_;
+        const double narrowest = kNarrowest * resolution_, widest = std::max(2 * range_, narrowest);
         Eigen::Vector3d v;
-        v[0] = thinnest * thinnest + kThick2 * kThick2 * variance[0];
+        v[0] = thinnest * thinnest + kNoise * kNoise * variance[0];
         for (int i : {1, 2}) {
-            const double length = std::clamp(kWidth * std::sqrt(variance[i]),
-                                             kNarrowest * resolution_, kWidest * resolution_);
+            const double length = std::clamp(kWidth * std::sqrt(variance[i]), narrowest, widest);
             v[i] = length * length;
         }
         return v;
