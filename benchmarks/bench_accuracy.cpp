@@ -153,22 +153,27 @@ int main(int argc, char** argv) try {
     const auto row = [&](const char* label, const std::function<void(InsertionParameters&)>& set) {
         print(akimapRow(label, scene, seeds, threads, set));
     };
-    row("AkiMap adaptive", [](auto&) {});
-    row("AkiMap covariance", [](auto& o) { o.bandwidth = Bandwidth::covariance; });
-    row("AkiMap isotropic", [](auto& o) { o.bandwidth = Bandwidth::isotropic; });
+    row("AkiMap", [](auto&) {});
+    const auto paper = [&](const char* label,
+                           const std::function<void(InsertionParameters&)>& set) {
+        row(label, [&](auto& o) { o.estimator = Estimator::paper, set(o); });
+    };
+    paper("the paper's", [](auto&) {});
+    paper("covariance", [](auto& o) { o.bandwidth = Bandwidth::covariance; });
+    paper("isotropic", [](auto& o) { o.bandwidth = Bandwidth::isotropic; });
     print(octomapRow(scene));
     printRivals(scene, seeds);
     if (!choices) return 0;
-    row("Eq. 7 by descent", [](auto& o) { o.scale_search = ScaleSearch::descent; });
-    row("scale up to 1.7", [](auto& o) { o.scale_max = 1.7; });
-    row("ball search", [](auto& o) { o.search_region = SearchRegion::ball; });
-    row("about the mean", [](auto& o) { o.covariance_center = CovarianceCenter::mean; });
-    row("floor 5e-4 m^2", [](auto& o) { o.covariance_floor = 5e-4; });
-    row("floor 2e-3 m^2", [](auto& o) { o.covariance_floor = 2e-3; });
-    row("search 0.3 m throughout",
-        [](auto& o) { o.search_range_origin = o.search_range_max = 0.3; });
-    row("search 0.5 m throughout",
-        [](auto& o) { o.search_range_origin = o.search_range_max = 0.5; });
+    paper("Eq. 7 by descent", [](auto& o) { o.scale_search = ScaleSearch::descent; });
+    paper("scale up to 1.7", [](auto& o) { o.scale_max = 1.7; });
+    paper("ball search", [](auto& o) { o.search_region = SearchRegion::ball; });
+    paper("about the mean", [](auto& o) { o.covariance_center = CovarianceCenter::mean; });
+    paper("floor 5e-4 m^2", [](auto& o) { o.covariance_floor = 5e-4; });
+    paper("floor 2e-3 m^2", [](auto& o) { o.covariance_floor = 2e-3; });
+    paper("search 0.3 m throughout",
+          [](auto& o) { o.search_range_origin = o.search_range_max = 0.3; });
+    paper("search 0.5 m throughout",
+          [](auto& o) { o.search_range_origin = o.search_range_max = 0.5; });
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "bench_accuracy: %s\n", e.what());

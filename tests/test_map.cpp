@@ -35,6 +35,7 @@ AkiMap smallMap(double resolution = 0.1) {
 AkiMap everyOptionChanged() {
     AkiMap map = smallMap(0.2);
     auto& o = map.insertionOptions;
+    o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.2;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
     o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
     o.covariance_center = CovarianceCenter::mean, o.bandwidth = Bandwidth::covariance;
@@ -300,6 +301,7 @@ TEST(AkiMap, AFullDiskLeavesTheOlderFile) {
 
 TEST(AkiMap, ATinyFloorGivesNoNaN) {
     AkiMap map = smallMap();
+    map.insertionOptions.estimator = Estimator::paper;
     map.insertionOptions.covariance_floor = 1e-12;
     for (unsigned seed = 1; seed <= 5; seed++) map.insertRays(test::randomScan(seed, 300));
     EXPECT_EQ(fingerprint(readBack(test::bytes(map))), fingerprint(map));  // refuses NaN
@@ -307,6 +309,7 @@ TEST(AkiMap, ATinyFloorGivesNoNaN) {
 
 TEST(AkiMap, KernelsThatReachNoCentreAreNoInsertion) {
     AkiMap map(0.1);
+    map.insertionOptions.estimator = Estimator::paper;
     map.insertionOptions.bandwidth = Bandwidth::isotropic;
     map.insertionOptions.isotropic_length = 1e-3;
     EXPECT_FALSE(map.insertRays({Ray{{0.01, 0.01, 0.01}, {1.01, 0.01, 0.01}}}));

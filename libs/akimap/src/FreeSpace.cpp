@@ -75,15 +75,19 @@ uint64_t keyBeside(uint64_t key, int axis, int step) {
 }
 
 /** The least power distance of each of the 8 layers across an axis. */
-std::array<uint16_t, kSide> leastOfLayers(const FreeSpace::Plane& plane, int axis) {
-    std::array<uint16_t, kSide> least;
-    least.fill(FreeSpace::kFar);
-    const int shift = 3 * axis;
-    for (std::size_t i = 0; i < plane.size(); i++) {
-        uint16_t& l = least[i >> shift & 7];
-        l = std::min(l, plane[i]);
+AKIMAP_MULTIVERSION
+void leastOfLayers(const FreeSpace::Plane& plane, int axis, uint16_t* least) {
+    Cells along[kSide];  // of each layer across y or z; for x the layers are the cells of along[0]
+    for (Cells& l : along) l = Cells{} + FreeSpace::kFar;
+    for (int row = 0; row < kSide * kSide; row++) {
+        Cells& l = along[axis == 0 ? 0 : axis == 1 ? row % kSide : row / kSide];
+        l = lesser(l, loadCells(plane.data() + row * kSide));
     }
-    return least;
+    if (axis == 0) return storeCells(least, along[0]);
+    for (int i = 0; i < kSide; i++) {
+        least[i] = along[i][0];
+        for (int j = 1; j < kSide; j++) least[i] = std::min<uint16_t>(least[i], along[i][j]);
+    }
 }
 
 }  // namespace
@@ -107,9 +111,10 @@ void FreeSpace::growAlong(int axis, double radius) {
     std::vector<char> beyond(n, 0);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 64), [&](const auto& r) {
         for (std::size_t b = r.begin(); b != r.end(); ++b) {
-            const auto least = leastOfLayers(planes_[b], axis);
+            uint16_t least[kSide];
+            leastOfLayers(planes_[b], axis, least);
             for (int i = 0; i < kSide; i++) {
-                const auto w = static_cast<double>(least[static_cast<std::size_t>(i)]);
+                const auto w = static_cast<double>(least[i]);
                 if (w + kUnit * (i + 1) * (i + 1) < limit) beyond[b] |= 1;
                 if (w + kUnit * (kSide - i) * (kSide - i) < limit) beyond[b] |= 2;
             }

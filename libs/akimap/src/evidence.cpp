@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace akimap {
 namespace {
@@ -14,25 +15,36 @@ constexpr double kStep = 0.5;        // from ball to ball, over the radius
 constexpr double kLeastBall = 0.25;  // [cells]
 constexpr float kSurfaceWeight = 2;  // a surface counts as much as so many free spaces
 
-/** What one scan says of a cell, given the sum of its surface kernels and its power distance. */
-AKIMAP_INLINE void addCell(float surface, uint16_t power, float inverse_limit, float& alpha,
-                           float& beta) {
-    const float a = std::min(surface, 1.0f);
-    const float b = std::max(0.0f, 1.0f - static_cast<float>(power) * inverse_limit);
-    alpha += kSurfaceWeight * a;
-    beta += b * (1.0f - a);
-}
+/** What one scan says of a block: the sums of its surface kernels, and its power distances; either
+ * may be missing. */
+struct ScanBlock {
+    const float* surface;
+    const uint16_t* power;
+};
 
+/** Adds one scan to a block. \return whether a cell of it gained evidence */
 AKIMAP_MULTIVERSION
-bool addBlock(const float* surface, const uint16_t* power, float inverse_limit, Block& block) {
-    float gained = 0;
-    for (int i = 0; i < Block::kCells; i++) {
-        const float a = block.alpha[i], b = block.beta[i];
-        addCell(surface ? surface[i] : 0.0f, power ? power[i] : FreeSpace::kFar, inverse_limit,
-                block.alpha[i], block.beta[i]);
-        gained += (block.alpha[i] - a) + (block.beta[i] - b);
+bool addBlock(const ScanBlock& scan, float inverse_limit, Block& block) {
+    using Powers = uint16_t __attribute__((vector_size(16)));
+    constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
+    RowMask gained{};
+    for (int i = 0; i < Block::kCells; i += Block::kSide) {
+        Row a{}, b{};
+        if (scan.surface) {
+            const Row sum = loadRow(scan.surface + i);
+            a = sum < one ? sum : one;
+        }
+        if (scan.power) {
+            Powers power;
+            std::memcpy(&power, scan.power + i, sizeof power);
+            const Row inside = one - __builtin_convertvector(power, Row) * inverse_limit;
+            b = keep(inside > 0.0f, inside) * (one - a);
+        }
+        gained |= (a > 0.0f) | (b > 0.0f);
+        storeRow(block.alpha.data() + i, loadRow(block.alpha.data() + i) + kSurfaceWeight * a);
+        storeRow(block.beta.data() + i, loadRow(block.beta.data() + i) + b);
     }
-    return gained > 0;
+    return bitsOf(gained != 0) != 0;
 }
 
 /** Of a ray, away from its hit: where balls go. */
@@ -80,26 +92,22 @@ void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfe
 bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius, BlockGrid& grid,
                  EvidenceScratch& s) {
     KeyTable index;
-    struct Source {
-        const float* surface;
-        const uint16_t* power;
-    };
-    std::vector<Source> sources;
+    std::vector<ScanBlock> scan;
     s.where.clear();
     for (std::size_t i = 0; i < free.keys().size(); i++) {
         const uint64_t key = free.keys()[i];
         index.insert(key, static_cast<uint32_t>(i));
         s.where.push_back(unpackKey(key));
-        sources.push_back({nullptr, free.plane(i).data()});
+        scan.push_back({nullptr, free.plane(i).data()});
     }
     for (const auto& [place, block] : surface.sortedBlocks()) {
-        const auto [i, added] = index.insert(packKey(place), static_cast<uint32_t>(sources.size()));
-        if (added) s.where.push_back(place), sources.push_back({nullptr, nullptr});
-        sources[i].surface = block->alpha.data();
+        const auto [i, added] = index.insert(packKey(place), static_cast<uint32_t>(scan.size()));
+        if (added) s.where.push_back(place), scan.push_back({nullptr, nullptr});
+        scan[i].surface = block->alpha.data();
     }
 
     // All that may run out of memory comes before the first sum is changed.
-    const std::size_t n = sources.size();
+    const std::size_t n = scan.size();
     s.blocks.assign(n, nullptr);
     s.fresh.assign(n, nullptr);
     std::vector<char> reached(n, 0);
@@ -112,7 +120,7 @@ bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
     });
     const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        reached[b] = addBlock(sources[b].surface, sources[b].power, inverse_limit, *s.blocks[b]);
+        reached[b] = addBlock(scan[b], inverse_limit, *s.blocks[b]);
     });
     bool changed = false;
     for (std::size_t b = 0; b < n; b++) {

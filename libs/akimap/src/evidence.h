@@ -10,10 +10,8 @@ namespace akimap {
 
 /** Buffers of the surface estimator, kept between scans. */
 struct EvidenceScratch {
-    std::vector<KeptRay> rays;  // of each hit
     SurfelScratch fit;
     std::vector<Surfel> surfels;
-    std::vector<Symmetric3> H;
     FreeSpace free;
     std::vector<BlockGrid::BlockIndex> where;  // the blocks to change
     std::vector<Block*> blocks;

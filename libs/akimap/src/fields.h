@@ -25,7 +25,8 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
     visit("min_range", o.min_range, "[m] >= 0. Returns nearer to their ray's origin are dropped");
     visit("max_range", o.max_range, "[m] > min_range. Returns farther away are dropped");
     visit("estimator", o.estimator,
-          "surface (surfaces fitted to hits, free space around rays) | paper (what follows)");
+          "surface (fitted to hits, free space around rays) | paper (sampling_distance to "
+          "scale_max)");
     visit("surface_range", o.surface_range,
           "[m] > 0. estimator = surface: neighbours of a hit are sought no farther");
     visit("free_radius", o.free_radius,

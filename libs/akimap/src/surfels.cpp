@@ -57,7 +57,11 @@ Symmetric3 symmetric(const Eigen::Matrix3d& m) {
 class Fitter {
  public:
     Fitter(const NeighborGrid& points, const InsertionParameters& p, double resolution)
-        : points_(points), resolution_(resolution), range_(std::max(p.surface_range, resolution)) {}
+        : points_(points),
+          resolution_(resolution),
+          range_(std::max(p.surface_range, resolution)),
+          narrowest_(kNarrowest * resolution),
+          widest_(widestSurfel(p, resolution)) {}
 
     AKIMAP_INLINE BallMoments neighbors(float x, float y, float z) const {
         double radius = std::min(kSmallest * resolution_, range_);
@@ -100,18 +104,17 @@ class Fitter {
     /** Of the ellipsoid, for the variances in increasing order. */
     [[nodiscard]] Eigen::Vector3d squaredSemiAxes(const Eigen::Vector3d& variance) const {
         const double thinnest = kThinnest * resolution_;
-        const double narrowest = kNarrowest * resolution_, widest = std::max(2 * range_, narrowest);
         Eigen::Vector3d v;
         v[0] = thinnest * thinnest + kNoise * kNoise * variance[0];
         for (int i : {1, 2}) {
-            const double length = std::clamp(kWidth * std::sqrt(variance[i]), narrowest, widest);
+            const double length = std::clamp(kWidth * std::sqrt(variance[i]), narrowest_, widest_);
             v[i] = length * length;
         }
         return v;
     }
 
     const NeighborGrid& points_;
-    double resolution_, range_;
+    double resolution_, range_, narrowest_, widest_;
 };
 
 AKIMAP_MULTIVERSION
@@ -129,6 +132,10 @@ void fitRange(const Fitter& fitter, const SurfelScratch& s, std::size_t begin, s
 }
 
 }  // namespace
+
+double widestSurfel(const InsertionParameters& p, double resolution) {
+    return std::max(2 * p.surface_range, kNarrowest * resolution);
+}
 
 void fitSurfels(Samples& hits, const InsertionParameters& p, double resolution,
                 SurfelScratch& scratch, std::vector<Surfel>& surfels, std::vector<Symmetric3>& H) {

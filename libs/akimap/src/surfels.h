@@ -30,4 +30,7 @@ struct SurfelScratch {
 void fitSurfels(Samples& hits, const InsertionParameters& parameters, double resolution,
                 SurfelScratch& scratch, std::vector<Surfel>& surfels, std::vector<Symmetric3>& H);
 
+/** The longest semi-axis [m] that fitSurfels() gives a hit on a surface. */
+[[nodiscard]] double widestSurfel(const InsertionParameters& p, double resolution);
+
 }  // namespace akimap
