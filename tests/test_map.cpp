@@ -106,12 +106,14 @@ TEST(AkiMap, SameBitsForAnyNumberOfThreads) {
     std::string expected;
     for (const unsigned threads : {1u, 2u, 3u, 8u}) {
         AkiMap map(0.05);
+        map.insertionOptions.estimator = Estimator::paper;
         map.insertionOptions.threads = threads;
         for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 800));
         if (threads == 1) expected = test::cellsFingerprint(map);
         EXPECT_EQ(test::cellsFingerprint(map), expected) << threads << " threads";
     }
     AkiMap other(0.05);
+    other.insertionOptions.estimator = Estimator::paper;
     other.insertionOptions.seed = 2;
     for (unsigned seed = 1; seed <= 3; seed++) other.insertRays(test::randomScan(seed, 800));
     EXPECT_NE(test::cellsFingerprint(other), expected);
@@ -148,6 +150,10 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 0; });
     expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 1e-12; });
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = INFINITY; });
+    expectRefusal("surface_range", [](auto& o) { o.surface_range = 1e6; });
+    expectRefusal("free_radius", [](auto& o) { o.free_radius = -1; });
+    expectRefusal("estimator", [](auto& o) { o.estimator = static_cast<Estimator>(9); });
+    map.insertionOptions.estimator = Estimator::paper;
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
     expectRefusal("covariance_floor", [](auto& o) { o.covariance_floor = -1; });
     expectRefusal("isotropic_length", [](auto& o) { o.isotropic_length = 1e9; });
