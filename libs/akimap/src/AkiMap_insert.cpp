@@ -86,9 +86,9 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     Stopwatch watch;
     const auto kept = takeHits(rays, p, grid, s.taken, s.samples, stats);
     stats.seconds_sampling += watch.lap();
-    fitSurfels(s.samples, p, resolution, e.fit, e.surfels, s.H);
+    fitSurfels(kept, s.samples, p, resolution, e.fit, e.surfels, s.H);
     stats.seconds_bandwidth += watch.lap();
-    markFree(kept, e.surfels, radius, resolution, e.free);
+    stats.samples_free += markFree(kept, e.surfels, radius, resolution, e.free);
     e.free.spread(radius);
     BlockGrid surface(resolution);
     scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);

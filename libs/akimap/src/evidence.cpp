@@ -68,9 +68,10 @@ Walk walkOf(const Ray& r, const Surfel& s) {
 
 }  // namespace
 
-void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels, double radius,
-              double resolution, FreeSpace& free) {
+std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
+                     double radius, double resolution, FreeSpace& free) {
     free.clear();
+    std::size_t balls = 0;
     const double per_cell = 1 / resolution, largest = radius * radius;
     for (std::size_t i = 0; i < rays.size(); i++) {
         const Walk w = walkOf(*rays[i].ray, surfels[i]);
@@ -78,6 +79,7 @@ void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfe
         for (double t = 1; t < length;) {
             const double ball = std::min(radius, kClearance * t * w.rise);
             if (ball >= kLeastBall) {
+                balls++;
                 const auto at = [&](std::size_t a) {
                     return static_cast<int32_t>(std::floor(w.end[a] * per_cell + w.back[a] * t));
                 };
@@ -87,6 +89,7 @@ void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfe
             t += std::max(1.0, kStep * ball);
         }
     }
+    return balls;
 }
 
 bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius, BlockGrid& grid,

@@ -19,9 +19,9 @@ struct EvidenceScratch {
 };
 
 /** Marks the free space along each hit's ray: balls as wide as the gaps between rays, and narrower
- * where the hit's surface is near, whose plane they hardly cross. */
-void markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels, double radius,
-              double resolution, FreeSpace& free);
+ * where the hit's surface is near, whose plane they hardly cross. \return number of balls */
+std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
+                     double radius, double resolution, FreeSpace& free);
 
 /** Adds one scan to the map: to each cell at most one observation of a surface and one of free
  * space, the surface before the free space.

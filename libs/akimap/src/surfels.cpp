@@ -15,6 +15,8 @@ constexpr double kGrowth = 1.3;       // from ball to ball
 constexpr double kTaper = 0.5;        // neighbours at the ball's surface weigh 1 - kTaper
 constexpr double kFewestOfPlane = 5;  // points
 constexpr double kFlat = 0.1;         // a plane's greatest ratio of its two lesser variances
+constexpr double kLine = 0.005;       // a line's greatest ratio of its two greater variances
+constexpr double kLeastSine = 0.1;    // between a line and the ray that meets it
 // Semi-axes of the ellipsoid. Half a cell's diagonal reaches a centre wherever the surface lies.
 constexpr double kThinnest = 0.8660254037844386;  // [cells] across the surface
 constexpr double kNoise = 0.5;                    // and so many standard deviations
@@ -72,8 +74,10 @@ class Fitter {
         }
     }
 
-    /** \param shift where the hit belongs, relative to itself [m] */
-    void fit(const BallMoments& m, Surfel& surfel, Symmetric3& H, Eigen::Vector3d& shift) const {
+    /** \param towards_sensor of unit length
+     * \param shift where the hit belongs, relative to itself [m] */
+    void fit(const BallMoments& m, const Eigen::Vector3d& towards_sensor, Surfel& surfel,
+             Symmetric3& H, Eigen::Vector3d& shift) const {
         surfel = {{0, 0, 0}, false};
         shift.setZero();
         if (m.n < 3) {
@@ -90,17 +94,34 @@ class Fitter {
         solver.computeDirect(covariance);
         const Eigen::Vector3d variance = solver.eigenvalues().cwiseMax(0);
         const Eigen::Matrix3d& axes = solver.eigenvectors();
-        const Eigen::Vector3d normal = axes.col(0);
+        if (variance[1] < kLine * variance[2]) {
+            surfel = facing(towards_sensor, axes.col(2));
+            const double across = kAlone * resolution_;
+            const Eigen::Vector3d tube(across * across, across * across,
+                                       squaredSemiAxes(variance)[2]);
+            H = symmetric(axes * tube.asDiagonal() * axes.transpose());
+            return;
+        }
         if (m.n >= kFewestOfPlane && variance[0] < kFlat * variance[1]) {
+            const Eigen::Vector3d normal = axes.col(0);
             shift = normal * normal.dot(mean);
-            surfel = {{static_cast<float>(normal[0]), static_cast<float>(normal[1]),
-                       static_cast<float>(normal[2])},
-                      true};
+            surfel = flatSurfel(normal);
         }
         H = symmetric(axes * squaredSemiAxes(variance).asDiagonal() * axes.transpose());
     }
 
  private:
+    static Surfel flatSurfel(const Eigen::Vector3d& n) {
+        return {{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])},
+                true};
+    }
+    /** Hits along a line (a 2D scan, one ring of a lidar) lie on many planes: the one that faces
+     * the sensor most. */
+    static Surfel facing(const Eigen::Vector3d& towards_sensor, const Eigen::Vector3d& line) {
+        const Eigen::Vector3d across = towards_sensor - line * line.dot(towards_sensor);
+        const double sine = across.norm();
+        return sine < kLeastSine ? Surfel{{0, 0, 0}, false} : flatSurfel(across / sine);
+    }
     /** Of the ellipsoid, for the variances in increasing order. */
     [[nodiscard]] Eigen::Vector3d squaredSemiAxes(const Eigen::Vector3d& variance) const {
         const double thinnest = kThinnest * resolution_;
@@ -117,14 +138,19 @@ class Fitter {
     double resolution_, range_, narrowest_, widest_;
 };
 
+Eigen::Vector3d towardsSensor(const Ray& r) {
+    return Eigen::Vector3d(r.origin[0] - r.end[0], r.origin[1] - r.end[1], r.origin[2] - r.end[2])
+        .normalized();
+}
+
 AKIMAP_MULTIVERSION
-void fitRange(const Fitter& fitter, const SurfelScratch& s, std::size_t begin, std::size_t end,
-              Samples& hits, Surfel* surfels, Symmetric3* H) {
+void fitRange(const Fitter& fitter, const std::vector<KeptRay>& rays, const SurfelScratch& s,
+              std::size_t begin, std::size_t end, Samples& hits, Surfel* surfels, Symmetric3* H) {
     for (std::size_t place = begin; place < end; place++) {  // in bin order, for the cache
         const std::size_t i = s.grid.order()[place];
         const BallMoments m = fitter.neighbors(s.x[i], s.y[i], s.z[i]);
         Eigen::Vector3d shift;
-        fitter.fit(m, surfels[i], H[i], shift);
+        fitter.fit(m, towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
         hits.x[i] += static_cast<float>(shift[0]);
         hits.y[i] += static_cast<float>(shift[1]);
         hits.z[i] += static_cast<float>(shift[2]);
@@ -137,8 +163,9 @@ double widestSurfel(const InsertionParameters& p, double resolution) {
     return std::max(2 * p.surface_range, kNarrowest * resolution);
 }
 
-void fitSurfels(Samples& hits, const InsertionParameters& p, double resolution,
-                SurfelScratch& scratch, std::vector<Surfel>& surfels, std::vector<Symmetric3>& H) {
+void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits, const InsertionParameters& p,
+                double resolution, SurfelScratch& scratch, std::vector<Surfel>& surfels,
+                std::vector<Symmetric3>& H) {
     surfels.resize(hits.size());
     H.resize(hits.size());
     scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move
@@ -146,7 +173,7 @@ void fitSurfels(Samples& hits, const InsertionParameters& p, double resolution,
                        static_cast<float>(kSmallest * resolution));
     const Fitter fitter(scratch.grid, p, resolution);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hits.size(), 64), [&](const auto& r) {
-        fitRange(fitter, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
+        fitRange(fitter, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
     });
 }
 

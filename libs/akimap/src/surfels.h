@@ -25,10 +25,12 @@ struct SurfelScratch {
  * neighbours about their mean. The neighbours lie in the smallest of a few balls that holds enough
  * of them. Moves hits on flat surfaces onto their plane, and gives each an ellipsoid H [m^2]: as
  * thin across the surface as the cells allow, and along it wide enough to reach the next hits.
+ * \param rays of the hits
  * \param hits occupied samples only
  * The same for any number of threads; runs in the caller's TBB arena. */
-void fitSurfels(Samples& hits, const InsertionParameters& parameters, double resolution,
-                SurfelScratch& scratch, std::vector<Surfel>& surfels, std::vector<Symmetric3>& H);
+void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits,
+                const InsertionParameters& parameters, double resolution, SurfelScratch& scratch,
+                std::vector<Surfel>& surfels, std::vector<Symmetric3>& H);
 
 /** The longest semi-axis [m] that fitSurfels() gives a hit on a surface. */
 [[nodiscard]] double widestSurfel(const InsertionParameters& p, double resolution);
