@@ -16,7 +16,7 @@ namespace {
 /** The choices that the paper leaves open. */
 std::vector<Method> choices() {
     const auto choice = [](const char* name, const std::function<void(InsertionParameters&)>& set) {
-        return akimapMethod(name, name, set);
+        return akimapMethod(name, name, [set](auto& o) { o.estimator = Estimator::paper, set(o); });
     };
     return {
         choice("Eq. 7 by descent", [](auto& o) { o.scale_search = ScaleSearch::descent; }),

@@ -147,10 +147,16 @@ Method akimapMethod(const std::string& name, const std::string& what,
 
 std::vector<Method> akimapMethods() {
     return {akimapMethod("AkiMap", "akimap::AkiMap with its defaults", [](auto&) {}),
+            akimapMethod("AkiMap, paper", "estimator = paper: the paper's method",
+                         [](auto& o) { o.estimator = Estimator::paper; }),
             akimapMethod("AkiMap, covariance", "bandwidth = covariance: no Eq. 7",
-                         [](auto& o) { o.bandwidth = Bandwidth::covariance; }),
+                         [](auto& o) {
+                             o.estimator = Estimator::paper, o.bandwidth = Bandwidth::covariance;
+                         }),
             akimapMethod("AkiMap, isotropic", "bandwidth = isotropic, isotropic_length = 0.2 m",
-                         [](auto& o) { o.bandwidth = Bandwidth::isotropic; })};
+                         [](auto& o) {
+                             o.estimator = Estimator::paper, o.bandwidth = Bandwidth::isotropic;
+                         })};
 }
 
 std::vector<Method> otherMethods() {

@@ -67,6 +67,7 @@ TEST_P(BuiltInScene, BeatsOctoMapAndIsotropicKernelsAndHoldsItsFloor) {
         const Box box{{b.min.x, b.min.y, b.min.z}, {b.max.x, b.max.y, b.max.z}};
         const auto ours = evaluateAkiMap(scans, truth, box, seed, [](auto&) {}).known;
         const auto isotropic = evaluateAkiMap(scans, truth, box, seed, [](auto& o) {
+                                   o.estimator = Estimator::paper;
                                    o.bandwidth = Bandwidth::isotropic;
                                }).known;
         const auto octomap = evaluateOctoMap(scans, truth, box).known;
@@ -104,8 +105,11 @@ TEST_P(La3dmStructured, HoldsThePapersFigures) {
     Evaluation mean{};
     constexpr int kSeeds = 10;
     for (uint64_t seed = 1; seed <= kSeeds; seed++) {
-        const auto e = evaluateAkiMap(scans, truth, {{0, 0, 0}, {7.25, 10.2, 2.1}}, seed,
-                                      [](auto& o) { o.search_region = GetParam(); });
+        const auto e =
+            evaluateAkiMap(scans, truth, {{0, 0, 0}, {7.25, 10.2, 2.1}}, seed, [](auto& o) {
+                o.estimator = Estimator::paper;
+                o.search_region = GetParam();
+            });
         mean.known.auc += e.known.auc / kSeeds, mean.known.mse += e.known.mse / kSeeds;
         mean.known.occupied.precision += e.known.occupied.precision / kSeeds;
         mean.known.free.precision += e.known.free.precision / kSeeds;

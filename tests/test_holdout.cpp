@@ -135,6 +135,7 @@ void expectFigures(const nlohmann::json& json, const Evaluation& e) {
 TEST_F(Holdout, IsWhatItsPartsSayByHand) {
     // At this resolution no place that is asked for lies on the border of a cell.
     AkiMap map(0.107), isotropic(0.107);
+    isotropic.insertionOptions.estimator = akimap::Estimator::paper;
     isotropic.insertionOptions.bandwidth = akimap::Bandwidth::isotropic;
     mrpt::maps::COctoMap octomap(0.107);
     std::vector<Ray> held_out;

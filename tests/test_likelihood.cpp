@@ -135,7 +135,7 @@ TEST(Likelihood, ObservationsWithoutReturnsSayNothing) {
 
 TEST(Likelihood, EveryOptionIsLive) {
     const auto s = scan();
-    const CPose3D pose(0.07, 0.04, 0, 0.02, 0, 0);
+    const CPose3D pose(0.5, 0.4, 0, 0.02, 0, 0);  // where some returns end in the unknown
     AkiMap map = roomMap();
     const double usual = map.computeObservationLikelihood(s, pose);
     const auto changed = [&](auto change) {

@@ -35,6 +35,7 @@ AkiMap smallMap(double resolution = 0.1) {
 AkiMap everyOptionChanged() {
     AkiMap map = smallMap(0.2);
     auto& o = map.insertionOptions;
+    o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.2;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
     o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
     o.covariance_center = CovarianceCenter::mean, o.bandwidth = Bandwidth::covariance;
@@ -71,7 +72,8 @@ TEST(AkiMap, AnswersEq4AtAPointAndNothingWhereNothingIsKnown) {
     EXPECT_FALSE(map.occupancy(2.02, 3, 0));
     EXPECT_FALSE(map.occupancy(1e300, NAN, 0));
     const CellState s = map.cell(2.02, 0.02, 0.02).value();
-    EXPECT_DOUBLE_EQ(s.beta, 1e-3);  // no free sample reaches it: the prior alone
+    EXPECT_NEAR(s.alpha, 2, 0.1);     // one surface, which counts twice
+    EXPECT_NEAR(s.beta, 1e-3, 0.02);  // next to nothing but the prior
     EXPECT_DOUBLE_EQ(s.occupancy(), s.alpha / (s.alpha + s.beta));
 }
 
@@ -93,6 +95,7 @@ TEST(AkiMap, VisitsEachCellThatAQueryKnows) {
 TEST(AkiMap, BoundingBoxIsTightAndZeroWhenEmpty) {
     EXPECT_EQ(AkiMap().boundingBox().max, mrpt::math::TPoint3Df(0, 0, 0));
     AkiMap map(0.5);
+    map.insertionOptions.estimator = Estimator::paper;  // reaches no other cells here
     map.insertRays({Ray{{0.25, 0.25, 0.25}, {4.25, 0.25, 0.25}}});
     const auto box = map.boundingBox();
     EXPECT_FLOAT_EQ(box.min.x, 0);
@@ -105,12 +108,14 @@ TEST(AkiMap, SameBitsForAnyNumberOfThreads) {
     std::string expected;
     for (const unsigned threads : {1u, 2u, 3u, 8u}) {
         AkiMap map(0.05);
+        map.insertionOptions.estimator = Estimator::paper;
         map.insertionOptions.threads = threads;
         for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 800));
         if (threads == 1) expected = test::cellsFingerprint(map);
         EXPECT_EQ(test::cellsFingerprint(map), expected) << threads << " threads";
     }
     AkiMap other(0.05);
+    other.insertionOptions.estimator = Estimator::paper;
     other.insertionOptions.seed = 2;
     for (unsigned seed = 1; seed <= 3; seed++) other.insertRays(test::randomScan(seed, 800));
     EXPECT_NE(test::cellsFingerprint(other), expected);
@@ -147,6 +152,10 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 0; });
     expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 1e-12; });
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = INFINITY; });
+    expectRefusal("surface_range", [](auto& o) { o.surface_range = 1e6; });
+    expectRefusal("free_radius", [](auto& o) { o.free_radius = -1; });
+    expectRefusal("estimator", [](auto& o) { o.estimator = static_cast<Estimator>(9); });
+    map.insertionOptions.estimator = Estimator::paper;
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
     expectRefusal("covariance_floor", [](auto& o) { o.covariance_floor = -1; });
     expectRefusal("isotropic_length", [](auto& o) { o.isotropic_length = 1e9; });
@@ -300,6 +309,7 @@ TEST(AkiMap, AFullDiskLeavesTheOlderFile) {
 
 TEST(AkiMap, ATinyFloorGivesNoNaN) {
     AkiMap map = smallMap();
+    map.insertionOptions.estimator = Estimator::paper;
     map.insertionOptions.covariance_floor = 1e-12;
     for (unsigned seed = 1; seed <= 5; seed++) map.insertRays(test::randomScan(seed, 300));
     EXPECT_EQ(fingerprint(readBack(test::bytes(map))), fingerprint(map));  // refuses NaN
@@ -307,6 +317,7 @@ TEST(AkiMap, ATinyFloorGivesNoNaN) {
 
 TEST(AkiMap, KernelsThatReachNoCentreAreNoInsertion) {
     AkiMap map(0.1);
+    map.insertionOptions.estimator = Estimator::paper;
     map.insertionOptions.bandwidth = Bandwidth::isotropic;
     map.insertionOptions.isotropic_length = 1e-3;
     EXPECT_FALSE(map.insertRays({Ray{{0.01, 0.01, 0.01}, {1.01, 0.01, 0.01}}}));

@@ -34,6 +34,7 @@ struct HoldoutRequest {
 struct Contest {
     explicit Contest(const MapRequest& request)
         : akimap(makeMapFor(request)), isotropic(akimap), octomap(akimap.resolution()) {
+        isotropic.insertionOptions.estimator = Estimator::paper;
         isotropic.insertionOptions.bandwidth = Bandwidth::isotropic;
     }
     AkiMap akimap, isotropic;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* kMapGroup = "Map (these win over the INI)";
 
+const std::map<std::string, Estimator> kEstimators{{"surface", Estimator::surface},
+                                                   {"paper", Estimator::paper}};
 const std::map<std::string, Bandwidth> kBandwidths{{"adaptive", Bandwidth::adaptive},
                                                    {"covariance", Bandwidth::covariance},
                                                    {"isotropic", Bandwidth::isotropic}};
@@ -68,13 +70,28 @@ void addMapOptions(CLI::App& command, MapRequest& request) {
     addSetting(command, request, "--seed", "seed", &InsertionParameters::seed);
     addSetting(command, request, "--threads", "threads", &InsertionParameters::threads);
 
+    const OptionText estimator = describedAs("estimator");
+    const auto set_estimator = [&request](const std::string& name) {
+        request.settings.emplace_back([value = kEstimators.at(name)](auto& definition) {
+            definition.insertionOpts.estimator = value;
+        });
+    };
+    command.add_option_function<std::string>("--estimator", set_estimator, estimator.comment)
+        ->check(CLI::IsMember(kEstimators))
+        ->type_name("NAME")
+        ->default_str(estimator.value)
+        ->group(kMapGroup);
+
     const OptionText bandwidth = describedAs("bandwidth");
     const auto set_bandwidth = [&request](const std::string& name) {
         request.settings.emplace_back([value = kBandwidths.at(name)](auto& definition) {
             definition.insertionOpts.bandwidth = value;
+            definition.insertionOpts.estimator = Estimator::paper;  // which alone has bandwidths
         });
     };
-    command.add_option_function<std::string>("--bandwidth", set_bandwidth, bandwidth.comment)
+    command
+        .add_option_function<std::string>("--bandwidth", set_bandwidth,
+                                          bandwidth.comment + ". Implies --estimator paper")
         ->check(CLI::IsMember(kBandwidths))
         ->type_name("NAME")
         ->default_str(bandwidth.value)

@@ -42,7 +42,6 @@ int threadsFor(const InsertionParameters& p) {
 void requireReachWithinGrid(const InsertionParameters& p, double resolution) {
     if (resolution > p.max_range)
         throw std::invalid_argument("resolution: a cell must not be larger than max_range");
-    const double scale = std::max(1.0, p.scale_max);
     const auto require = [&](const char* name, double reach) {
         if (reach <= kMaxKernelCells * resolution) return;
         std::ostringstream text;
@@ -50,12 +49,52 @@ void requireReachWithinGrid(const InsertionParameters& p, double resolution) {
              << " cells of " << resolution << " m";
         throw std::invalid_argument(text.str());
     };
+    if (p.estimator == Estimator::surface)
+        return require("surface_range", widestSurfel(p, resolution));
+    const double scale = std::max(1.0, p.scale_max);
     // A covariance about the sample, over M - 2 with M = 3, is twice the square of the range on
     // each axis.
     const double range = std::max(p.search_range_max, std::max(p.search_range_origin, resolution));
     require("search_range_max, search_range_origin and scale_max", scale * std::sqrt(2.0) * range);
     require("covariance_floor and scale_max", scale * std::sqrt(covarianceFloor(p, resolution)));
     require("isotropic_length", p.isotropic_length);
+}
+
+/** [cells] Wide enough that neighbouring balls leave no hole. */
+double freeRadius(const InsertionParameters& p, double resolution) {
+    return std::clamp(p.free_radius / resolution, 1.5, double{FreeSpace::kMaxRadius});
+}
+
+/** The paper's method: rooms 2 to 4. \return whether the map changed */
+bool insertSamples(const std::vector<Ray>& rays, const InsertionParameters& p, uint64_t scan_index,
+                   AkiMap::Scratch& s, BlockGrid& grid, InsertionStats& stats) {
+    Stopwatch watch;
+    takeSamples(rays, p, grid, scan_index, s.taken, s.samples, stats);
+    stats.seconds_sampling += watch.lap();
+    bandwidths(s.samples, p, grid.resolution(), s.neighbors, s.H);
+    stats.seconds_bandwidth += watch.lap();
+    const bool changed = scatter(s.samples, s.H, grid, s.scatter);
+    stats.seconds_update += watch.lap();
+    return changed;
+}
+
+/** Surfaces and free space. \return whether the map changed */
+bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, AkiMap::Scratch& s,
+                    BlockGrid& grid, InsertionStats& stats) {
+    EvidenceScratch& e = s.evidence;
+    const double resolution = grid.resolution(), radius = freeRadius(p, resolution);
+    Stopwatch watch;
+    const auto kept = takeHits(rays, p, grid, s.taken, s.samples, stats);
+    stats.seconds_sampling += watch.lap();
+    fitSurfels(kept, s.samples, p, resolution, e.fit, e.surfels, s.H);
+    stats.seconds_bandwidth += watch.lap();
+    stats.samples_free += markFree(kept, e.surfels, radius, resolution, e.free);
+    e.free.spread(radius);
+    BlockGrid surface(resolution);
+    scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);
+    const bool changed = addEvidence(surface, e.free, radius, grid, e);
+    stats.seconds_update += watch.lap();
+    return changed;
 }
 
 }  // namespace
@@ -71,13 +110,9 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     InsertionStats stats = stats_;  // taken over when nothing can throw any more
     tbb::task_arena arena(threadsFor(p));
     arena.execute([&] {
-        Stopwatch watch;
-        takeSamples(rays, p, grid_, scan_index_, s.taken, s.samples, stats);
-        stats.seconds_sampling += watch.lap();
-        bandwidths(s.samples, p, resolution(), s.neighbors, s.H);
-        stats.seconds_bandwidth += watch.lap();
-        changed = scatter(s.samples, s.H, grid_, s.scatter);
-        stats.seconds_update += watch.lap();
+        changed = p.estimator == Estimator::surface
+                      ? insertSurfaces(rays, p, s, grid_, stats)
+                      : insertSamples(rays, p, scan_index_, s, grid_, stats);
     });
     stats_ = stats;
     if (changed) ++scan_index_, ++stats_.scans;

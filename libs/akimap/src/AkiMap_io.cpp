@@ -87,7 +87,7 @@ std::string ourReason(const std::string& what) {
 }  // namespace
 
 uint8_t AkiMap::serializeGetVersion() const {
-    return 0;
+    return 1;
 }
 
 void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
@@ -113,7 +113,7 @@ void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
 }
 
 void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-    if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    if (version != 1) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     AkiMap loaded(in.ReadAs<double>());
     in >> loaded.genericMapParams;
     loaded.insertionOptions.readFromStream(in);

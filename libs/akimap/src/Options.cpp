@@ -13,6 +13,10 @@
 
 #include "fields.h"
 
+MRPT_ENUM_TYPE_BEGIN(akimap::Estimator)
+MRPT_FILL_ENUM_MEMBER(akimap::Estimator, paper);
+MRPT_FILL_ENUM_MEMBER(akimap::Estimator, surface);
+MRPT_ENUM_TYPE_END()
 MRPT_ENUM_TYPE_BEGIN(akimap::Bandwidth)
 MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, adaptive);
 MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, covariance);
@@ -174,6 +178,9 @@ void InsertionParameters::validate() const {
     requireNonNegative("min_range", min_range);
     requirePositive("max_range", max_range);
     require(max_range > min_range, "max_range", max_range, "greater than min_range");
+    requireKnown("estimator", estimator, Estimator::surface);
+    requirePositive("surface_range", surface_range);
+    requirePositive("free_radius", free_radius);
     requirePositive("sampling_distance", sampling_distance);
     require(max_range / sampling_distance < 1e6, "sampling_distance", sampling_distance,
             "at least a millionth of max_range");

@@ -4,7 +4,7 @@
 
 #include <akimap/AkiMap.h>
 
-#include "scatter.h"
+#include "evidence.h"
 
 namespace akimap {
 
@@ -15,6 +15,7 @@ struct AkiMap::Scratch {
     NeighborScratch neighbors;
     std::vector<Symmetric3> H;
     ScatterScratch scatter;
+    EvidenceScratch evidence;
 };
 
 }  // namespace akimap

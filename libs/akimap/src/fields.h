@@ -24,6 +24,13 @@ template <class Parameters, class Visitor>
 IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&& visit) {
     visit("min_range", o.min_range, "[m] >= 0. Returns nearer to their ray's origin are dropped");
     visit("max_range", o.max_range, "[m] > min_range. Returns farther away are dropped");
+    visit("estimator", o.estimator,
+          "surface (fitted to hits, free space around rays) | paper (sampling_distance to "
+          "scale_max)");
+    visit("surface_range", o.surface_range,
+          "[m] > 0. estimator = surface: neighbours of a hit are sought no farther");
+    visit("free_radius", o.free_radius,
+          "[m] > 0. estimator = surface: how far free space reaches from a ray; 1.5 to 8 cells");
     visit("sampling_distance", o.sampling_distance,
           "[m] > 0. One free sample in each such stretch of a ray");
     visit("search_range_origin", o.search_range_origin,

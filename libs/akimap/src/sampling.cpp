@@ -89,15 +89,28 @@ class Sampler {
     Point corner_{};
 };
 
-/** A ray whose hit became a sample, and its number among the usable ones. */
-struct KeptRay {
-    const Ray* ray;
-    uint64_t number;
-};
+void addFreeAlong(const KeptRay& kept, uint64_t scan_key, double stretch, Sampler& sampler) {
+    const double length = lengthOf(*kept.ray);
+    const uint64_t ray_key = mix(scan_key + kept.number);
+    sampler.add(kept.ray->origin, 0);
+    for (uint64_t k = 0; static_cast<double>(k) * stretch < length; k++) {
+        const double t = (static_cast<double>(k) + uniform(ray_key, k)) * stretch;
+        if (t < length) sampler.add(along(*kept.ray, t / length), t);
+    }
+}
 
-std::vector<KeptRay> addHits(const std::vector<Ray>& rays, const InsertionParameters& p,
-                             const BlockGrid& grid, KeyTable& taken, Samples& samples,
-                             InsertionStats& stats) {
+}  // namespace
+
+void Samples::clear() {
+    for (auto* v : {&x, &y, &z, &distance}) v->clear();
+    occupied = 0;
+}
+
+std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParameters& p,
+                              const BlockGrid& grid, KeyTable& taken, Samples& samples,
+                              InsertionStats& stats) {
+    samples.clear();
+    taken.clear();
     std::vector<KeptRay> kept;
     std::optional<Sampler> sampler;
     uint64_t number = 0;
@@ -117,40 +130,21 @@ std::vector<KeptRay> addHits(const std::vector<Ray>& rays, const InsertionParame
         ++number;
     }
     stats.points += number;
+    samples.occupied = samples.size();
+    stats.rays += rays.size();
+    stats.samples_occupied += samples.occupied;
     return kept;
-}
-
-void addFreeAlong(const KeptRay& kept, uint64_t scan_key, double stretch, Sampler& sampler) {
-    const double length = lengthOf(*kept.ray);
-    const uint64_t ray_key = mix(scan_key + kept.number);
-    sampler.add(kept.ray->origin, 0);
-    for (uint64_t k = 0; static_cast<double>(k) * stretch < length; k++) {
-        const double t = (static_cast<double>(k) + uniform(ray_key, k)) * stretch;
-        if (t < length) sampler.add(along(*kept.ray, t / length), t);
-    }
-}
-
-}  // namespace
-
-void Samples::clear() {
-    for (auto* v : {&x, &y, &z, &distance}) v->clear();
-    occupied = 0;
 }
 
 void takeSamples(const std::vector<Ray>& rays, const InsertionParameters& parameters,
                  const BlockGrid& grid, uint64_t scan_index, KeyTable& taken, Samples& samples,
                  InsertionStats& stats) {
-    samples.clear();
-    taken.clear();
-    const auto kept = addHits(rays, parameters, grid, taken, samples, stats);
-    samples.occupied = samples.size();
+    const auto kept = takeHits(rays, parameters, grid, taken, samples, stats);
 
     Sampler sampler(grid, taken, samples);
     const uint64_t scan_key = mix(mix(parameters.seed) + scan_index);
     for (const KeptRay& k : kept) addFreeAlong(k, scan_key, parameters.sampling_distance, sampler);
 
-    stats.rays += rays.size();
-    stats.samples_occupied += samples.occupied;
     stats.samples_free += samples.size() - samples.occupied;
 }
 

@@ -20,6 +20,18 @@ struct Samples {
     void clear();
 };
 
+/** A ray whose hit became a sample, and its number among the usable ones. */
+struct KeptRay {
+    const Ray* ray;
+    uint64_t number;
+};
+
+/** The first half of takeSamples(): only the hits, at most one a cell.
+ * \return the ray of each */
+std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParameters& parameters,
+                              const BlockGrid& grid, KeyTable& taken, Samples& samples,
+                              InsertionStats& stats);
+
 /** Room 2: rays -> samples. One occupied sample per hit cell, one free sample at a random place
  * in every sampling distance along each ray whose hit was taken, and one at its origin; at most
  * one sample a cell, a hit before a miss, the earlier before the later.

@@ -155,8 +155,10 @@ BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
 }  // namespace
 
 bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             ScatterScratch& s) {
+             ScatterScratch& s, KernelWeight weight) {
     makeKernels(samples, H, grid.resolution(), s);
+    if (weight == KernelWeight::one)
+        for (Kernel& k : s.kernels) k.weight = 1;
     listTouched(s);
     groupByBlock(s);
 

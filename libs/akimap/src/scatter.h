@@ -45,12 +45,18 @@ struct ScatterScratch {
     std::vector<std::shared_ptr<Block>> fresh;  // touched blocks that the grid does not have yet
 };
 
+/** What a kernel is worth at its centre. */
+enum class KernelWeight : uint8_t {
+    density,  ///< |H|^(-1/2) [m^-3]: the paper's
+    one
+};
+
 /** Room 4: adds every sample's weighted kernel to the alpha (occupied) or beta (free) of the cells
  * whose centres it reaches, Eq. (8)-(9). One task a block, kernels in the samples' order, so the
  * sums are the same for any number of threads; runs in the caller's TBB arena.
  * \return whether any cell gained evidence
  * \exception std::bad_alloc with no sum changed */
 bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             ScatterScratch& scratch);
+             ScatterScratch& scratch, KernelWeight weight = KernelWeight::density);
 
 }  // namespace akimap

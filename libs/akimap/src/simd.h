@@ -72,6 +72,13 @@ AKIMAP_INLINE uint32_t bitsOf(RowMask m) {
     const uint64_t both = w[0] | w[1];
     return static_cast<uint32_t>(both | both >> 32);
 }
+/** Of the lanes, in doubles. */
+AKIMAP_INLINE double sumOf(Row v) {
+    const HalfRow low = {v[0], v[1], v[2], v[3]}, high = {v[4], v[5], v[6], v[7]};
+    const DoubleRow s =
+        __builtin_convertvector(low, DoubleRow) + __builtin_convertvector(high, DoubleRow);
+    return (s[0] + s[2]) + (s[1] + s[3]);
+}
 /** The lanes of each set of bits, in order. */
 struct LaneTable {
     alignas(32) int32_t lanes[256][8] = {};

@@ -10,6 +10,12 @@
 
 namespace akimap {
 
+/** How a scan becomes evidence. */
+enum class Estimator : uint8_t {
+    paper = 0,   ///< samples with kernels of both labels: the paper's method
+    surface = 1  ///< surfaces fitted to the hits, free space around the rays
+};
+
 /** How the kernel of a sample gets its bandwidth matrix H (paper, Sec. IV-C). */
 enum class Bandwidth : uint8_t {
     adaptive = 0,    ///< H = s^2 * covariance, the scale s by Eq. (7): the paper's method
@@ -36,10 +42,16 @@ enum class CovarianceCenter : uint8_t {
 };
 
 /** The method's constants. Plain data: the rooms of the method know nothing else of the map.
- * The defaults are the paper's, and where the paper is silent its authors' code's. */
+ * sampling_distance to scale_max are of estimator = paper alone; their defaults are the paper's,
+ * and where the paper is silent its authors' code's. */
 struct InsertionParameters {
     double min_range = 0;    ///< [m] >= 0. Returns nearer to their own ray origin are dropped
     double max_range = 8.0;  ///< [m] > min_range. Returns farther away are dropped
+    Estimator estimator = Estimator::surface;
+    double surface_range =
+        0.5;  ///< [m] > 0. Neighbours of a hit are sought no farther (estimator = surface)
+    double free_radius = 0.3;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
+                               ///< (estimator = surface)
     double sampling_distance = 0.5;  ///< [m] > 0. One free sample in each such stretch of a ray
     double search_range_origin = 0;  ///< [m] >= 0. Search range at the sensor; 0: one cell
     double search_range_max = 0.5;   ///< [m] > 0. Search range at max_range; linear in between

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <akimap/BlockGrid.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace akimap {
+
+/** How far each cell lies from the balls of free space around one scan's rays: the power distance
+ * min over balls of |cell - centre|^2 + R^2 - radius^2 [cells^2], the balls centred on cells and of
+ * radius <= R; less than R^2 inside a ball. Two steps: mark() the balls, then spread(). As in the
+ * distance transform of Felzenszwalb and Huttenlocher (2012) it is the least over x, then y, then
+ * z; a block of 8^3 cells at a time, and only the blocks that a ball can reach. */
+class FreeSpace {
+ public:
+    static constexpr int kMaxRadius = Block::kSide;  ///< [cells] R is at most this
+    static constexpr int kUnit = 64;                 ///< power distances are whole: 1/64 cell^2
+    static constexpr uint16_t kFar = 0x3fff;         ///< more than any within reach
+    using Plane = std::array<uint16_t, Block::kCells>;
+
+    void clear();
+    /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kUnit] */
+    void mark(const CellIndex& cell, uint16_t power) {
+        uint16_t& here =
+            planeOf(BlockGrid::blockOf(cell))[static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
+        if (power < here) here = power;
+    }
+    /** \param radius R [cells], in (0, kMaxRadius]. The same for any number of threads; runs in the
+     * caller's TBB arena. */
+    void spread(double radius);
+
+    /** Blocks that a ball may reach, in order of first touch, and their power distances. */
+    [[nodiscard]] const std::vector<uint64_t>& keys() const { return keys_; }
+    [[nodiscard]] const Plane& plane(std::size_t i) const { return planes_[i]; }
+
+ private:
+    Plane& planeOf(const BlockGrid::BlockIndex& b) {
+        const uint64_t key = packKey(b);
+        if (key != last_key_ || keys_.empty()) last_key_ = key, last_ = numberOf(key);
+        return planes_[last_];
+    }
+    uint32_t numberOf(uint64_t key);
+    void growAlong(int axis, double radius);
+    void spreadAlong(int axis, int reach, const std::vector<uint16_t>& cost);
+
+    KeyTable index_;
+    std::vector<uint64_t> keys_;
+    std::vector<Plane> planes_, spread_;
+    uint64_t last_key_ = 0;
+    uint32_t last_ = 0;
+};
+
+}  // namespace akimap
