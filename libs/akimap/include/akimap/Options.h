@@ -50,7 +50,7 @@ struct InsertionParameters {
     Estimator estimator = Estimator::surface;
     double surface_range =
         0.5;  ///< [m] > 0. Neighbours of a hit are sought no farther (estimator = surface)
-    double free_radius = 0.3;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
+    double free_radius = 0.25;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
                                ///< (estimator = surface)
     double sampling_distance = 0.5;  ///< [m] > 0. One free sample in each such stretch of a ray
     double search_range_origin = 0;  ///< [m] >= 0. Search range at the sensor; 0: one cell
