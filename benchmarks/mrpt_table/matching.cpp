@@ -91,7 +91,7 @@ std::string aligned(const MapKind& kind, const Sample& room, Align&& align) {
     icp.options.thresholdDist = 0.5f, icp.options.smallestThresholdDist = 0.05f;
     icp.options.skip_cov_calculation = true, icp.options.maxIterations = 100;
     const CPose3D found = align(icp, *mapOf(kind, room), points(room));
-    return found.norm() < 0.03 ? "works" : "does not align";
+    return found.norm() < 0.05 ? "works" : "does not align";
 }
 
 std::string icp2D(const MapKind& kind, const Sample& room) {
@@ -131,18 +131,19 @@ std::string nearestNeighbors(const MapKind& kind) {
 }  // namespace
 
 Section matchingRows(const Sample& room) {
-    return {"Matching",
-            "Against a points map of the same returns, on a wall, within 0.1 m; *works*: more than "
-            "nine in ten are matched. `CICP` starts 0.1 m off, in a room.",
-            {{"`determineMatching2D`", match2D},
-             {"`determineMatching3D`", match3D},
-             {"`compute3DMatchingRatio`",
-              [](const MapKind& kind) { return ratio(*filledMap(kind), 1); }},
-             {"`compute3DMatchingRatio` of a `CMultiMetricMap` with it", ratioAmongOthers},
-             {"`squareDistanceToClosestCorrespondence`", squareDistance},
-             {"`CICP::Align` to it", [room](const MapKind& kind) { return icp2D(kind, room); }},
-             {"`CICP::Align3D` to it", [room](const MapKind& kind) { return icp3D(kind, room); }},
-             {"`NearestNeighborsCapable` (MRPT ≥ 2.11.3)", nearestNeighbors}}};
+    return {
+        "Matching",
+        "Against a points map of the same returns, on a wall, within 0.1 m; *works*: more than "
+        "nine in ten are matched. `CICP` starts 0.1 m off, in a room, and ends within half a cell.",
+        {{"`determineMatching2D`", match2D},
+         {"`determineMatching3D`", match3D},
+         {"`compute3DMatchingRatio`",
+          [](const MapKind& kind) { return ratio(*filledMap(kind), 1); }},
+         {"`compute3DMatchingRatio` of a `CMultiMetricMap` with it", ratioAmongOthers},
+         {"`squareDistanceToClosestCorrespondence`", squareDistance},
+         {"`CICP::Align` to it", [room](const MapKind& kind) { return icp2D(kind, room); }},
+         {"`CICP::Align3D` to it", [room](const MapKind& kind) { return icp3D(kind, room); }},
+         {"`NearestNeighborsCapable` (MRPT ≥ 2.11.3)", nearestNeighbors}}};
 }
 
 }  // namespace akimap::bench
