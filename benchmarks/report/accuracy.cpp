@@ -40,8 +40,10 @@ Outcome judgeMethod(const Method& method, const Scene& scene,
         runs.push_back(outcome.judgement.evaluation);
         outcome.first = std::move(built);
     }
+    MapSettings settings = settingsFor(scene, 1);
+    settings.threads = threads;
     while (seconds.size() < 3)  // one run's time is too much of an accident
-        seconds.push_back(build(method, settingsFor(scene, 1), scans).seconds);
+        seconds.push_back(build(method, settings, scans).seconds);
     outcome.row = summarize(method.name, accuracyColumns(), runs);
     std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
     outcome.seconds = seconds[seconds.size() / 2];
