@@ -10,10 +10,11 @@
 
 namespace akimap {
 namespace {
-constexpr double kClearance = 1.5;   // a ball's radius over its distance from the hit's plane
-constexpr double kStep = 0.5;        // from ball to ball, over the radius
-constexpr double kLeastBall = 0.25;  // [cells]
-constexpr float kSurfaceWeight = 2;  // a surface counts as much as so many free spaces
+constexpr double kClearance = 1.5;     // a ball's radius over its distance from the hit's plane
+constexpr double kStep = 0.5;          // from ball to ball, over the radius
+constexpr double kLeastBall = 0.25;    // [cells]
+constexpr float kLeastSurface = 0.1f;  // of a, where nothing else is known of a cell
+constexpr float kSurfaceWeight = 2;    // a surface counts as much as so many free spaces
 
 /** What one scan says of a block: the sums of its surface kernels, and its power distances; either
  * may be missing. */
@@ -29,20 +30,23 @@ bool addBlock(const ScanBlock& scan, float inverse_limit, Block& block) {
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
     RowMask gained{};
     for (int i = 0; i < Block::kCells; i += Block::kSide) {
+        const Row alpha = loadRow(block.alpha.data() + i), beta = loadRow(block.beta.data() + i);
         Row a{}, b{};
-        if (scan.surface) {
-            const Row sum = loadRow(scan.surface + i);
-            a = sum < one ? sum : one;
-        }
         if (scan.power) {
             Powers power;
             std::memcpy(&power, scan.power + i, sizeof power);
             const Row inside = one - __builtin_convertvector(power, Row) * inverse_limit;
-            b = keep(inside > 0.0f, inside) * (one - a);
+            b = keep(inside > 0.0f, inside);
+        }
+        if (scan.surface) {
+            const Row sum = loadRow(scan.surface + i);
+            const RowMask counts = (sum >= kLeastSurface) | (b + alpha + beta > 0.0f);
+            a = keep(counts, sum < one ? sum : one);
+            b *= one - a;
         }
         gained |= (a > 0.0f) | (b > 0.0f);
-        storeRow(block.alpha.data() + i, loadRow(block.alpha.data() + i) + kSurfaceWeight * a);
-        storeRow(block.beta.data() + i, loadRow(block.beta.data() + i) + b);
+        storeRow(block.alpha.data() + i, alpha + kSurfaceWeight * a);
+        storeRow(block.beta.data() + i, beta + b);
     }
     return bitsOf(gained != 0) != 0;
 }
