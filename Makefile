@@ -58,7 +58,8 @@ bench: all
 	@$(BUILD)/bin/bench_speed
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
 
-# Instructions of each room on a fixed workload; needs valgrind.
+# Instructions of each room on a fixed workload, by valgrind.
+bench-instructions: PACKAGES += valgrind
 bench-instructions: configure
 	@cmake --build $(BUILD) -j$(JOBS) --target bench_instructions -- --no-print-directory
 	@benchmarks/instructions.sh $(BUILD)/bin
@@ -86,6 +87,7 @@ help:
 	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
 	@echo "make test    build and run every test (AKIMAP_DATA=$(AKIMAP_DATA))"
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
+	@echo "make bench-instructions   instructions of each room on a fixed workload"
 	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
 	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md (LA3DM_DIR=...)"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"

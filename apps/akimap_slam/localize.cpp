@@ -80,18 +80,8 @@ void addLocalize(CLI::App& app) {
     auto* command =
         app.add_subcommand("localize", "Run MRPT's particle filter localization in an AkiMap");
     const auto request = std::make_shared<AppRequest>();
-    command->add_option("CONFIG", request->config, "INI of pf-localization")
-        ->required()
-        ->default_str("");
-    command->add_option("RAWLOG", request->rawlog, "The log to run through")
-        ->required()
-        ->default_str("");
-    command
-        ->add_option("-o,--output", request->folder,
-                     "Folder for the results [default: the INI's logOutput_dir]")
-        ->type_name("DIR")
-        ->default_str("");
-    command->add_flag("--verbose", request->verbose, "Show MRPT's log");
+    addInputs(*command, *request, "INI of pf-localization");
+    addOutputs(*command, *request);
     command->footer(kFooter);
     command->callback([request] { localize(*request); });
 }

@@ -29,6 +29,22 @@ namespace {
 
 }  // namespace
 
+void addInputs(CLI::App& command, AppRequest& request, const std::string& config_help) {
+    command.add_option("CONFIG", request.config, config_help)->required()->default_str("");
+    command.add_option("RAWLOG", request.rawlog, "The log to run through")
+        ->required()
+        ->default_str("");
+}
+
+void addOutputs(CLI::App& command, AppRequest& request) {
+    command
+        .add_option("-o,--output", request.folder,
+                    "Folder for the results [default: the INI's logOutput_dir]")
+        ->type_name("DIR")
+        ->default_str("");
+    command.add_flag("--verbose", request.verbose, "Show MRPT's log");
+}
+
 std::string outputFolder(const AppRequest& request, const Ini& ini, const std::string& section) {
     if (!request.folder.empty()) return request.folder;
     const std::string folder = iniValue(ini, section, "logOutput_dir");

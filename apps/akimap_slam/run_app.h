@@ -4,6 +4,7 @@
 
 #include <mrpt/system/COutputLogger.h>
 
+#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 
@@ -18,6 +19,11 @@ struct AppRequest {
     std::string folder;  ///< for the results; empty: the INI's logOutput_dir
     bool verbose = false;
 };
+
+/** Adds CONFIG and RAWLOG. */
+void addInputs(CLI::App& command, AppRequest& request, const std::string& config_help);
+/** Adds the options that say where results go and how much is told. */
+void addOutputs(CLI::App& command, AppRequest& request);
 
 /** One of mrpt::apps, fed by a LogFeed. */
 template <class App>

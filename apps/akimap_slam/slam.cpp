@@ -70,12 +70,7 @@ void slam(const SlamRequest& request) {
 void addSlam(CLI::App& app) {
     auto* command = app.add_subcommand("slam", "Run MRPT's ICP or RBPF SLAM with an AkiMap");
     const auto request = std::make_shared<SlamRequest>();
-    command->add_option("CONFIG", request->config, "INI of icp-slam or rbpf-slam")
-        ->required()
-        ->default_str("");
-    command->add_option("RAWLOG", request->rawlog, "The log to run through")
-        ->required()
-        ->default_str("");
+    addInputs(*command, *request, "INI of icp-slam or rbpf-slam");
     command
         ->add_option("--method", request->method,
                      "icp or rbpf [default: rbpf if the INI's [MappingApplication] has a "
@@ -83,12 +78,7 @@ void addSlam(CLI::App& app) {
         ->check(CLI::IsMember({"icp", "rbpf"}))
         ->type_name("NAME")
         ->default_str("");
-    command
-        ->add_option("-o,--output", request->folder,
-                     "Folder for the results [default: the INI's logOutput_dir]")
-        ->type_name("DIR")
-        ->default_str("");
-    command->add_flag("--verbose", request->verbose, "Show MRPT's log");
+    addOutputs(*command, *request);
     command->footer(kFooter);
     command->callback([request] { slam(*request); });
 }
