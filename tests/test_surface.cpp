@@ -5,6 +5,7 @@
 #include <akimap/AkiMap.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "random_scans.h"
@@ -80,6 +81,20 @@ TEST(Surface, BehindAWallNothingIsFree) {
             EXPECT_FALSE(map.occupancy(x, y + 0.001, 0.001)) << x << " " << y;
     EXPECT_LT(map.occupancy(1.8, 0.001, 0.001).value(), 0.05);
     EXPECT_GT(map.occupancy(2.02, 0.001, 0.001).value(), 0.9);
+}
+
+/** Kernels reach far past the last hits: their tails are no walls where nothing else is known. */
+TEST(Surface, TheTailsOfKernelsAreNoWalls) {
+    std::vector<Ray> rays;
+    for (double y = -0.5; y <= 0.5; y += 0.1)
+        for (double z = -0.5; z <= 0.5; z += 0.1) rays.push_back({{0, 0, 0}, {2.02, y, z}});
+    const AkiMap map = mapOf({rays});
+    double farthest = 0;
+    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+        if (s.occupancy() > 0.5) farthest = std::max({farthest, std::abs(p.y), std::abs(p.z)});
+    });
+    EXPECT_GT(farthest, 0.5);
+    EXPECT_LT(farthest, 0.5 + 0.2);
 }
 
 TEST(Surface, AScanIsAtMostOneObservationOfACell) {

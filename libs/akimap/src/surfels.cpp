@@ -14,13 +14,13 @@ constexpr double kSmallest = 2.5;     // [cells] radius of the first ball
 constexpr double kGrowth = 1.3;       // from ball to ball
 constexpr double kTaper = 0.5;        // neighbours at the ball's surface weigh 1 - kTaper
 constexpr double kFewestOfPlane = 5;  // points
-constexpr double kFlat = 0.1;         // a plane's greatest ratio of its two lesser variances
+constexpr double kFlat = 0.05;        // a plane's greatest ratio of its two lesser variances
 constexpr double kLine = 0.005;       // a line's greatest ratio of its two greater variances
 constexpr double kLeastSine = 0.1;    // between a line and the ray that meets it
 // Semi-axes of the ellipsoid. Half a cell's diagonal reaches a centre wherever the surface lies.
 constexpr double kThinnest = 0.8660254037844386;  // [cells] across the surface
 constexpr double kNoise = 0.5;                    // and so many standard deviations
-constexpr double kWidth = 4;                      // [standard deviations] along it
+constexpr double kWidth = 3.5;                    // [standard deviations] along it
 constexpr double kNarrowest = 4;                  // [cells]
 constexpr double kAlone = 2;                      // [cells] where there are too few neighbours
 
