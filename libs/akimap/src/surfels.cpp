@@ -23,6 +23,7 @@ constexpr double kNoise = 0.5;                    // and so many standard deviat
 constexpr double kWidth = 3.5;                    // [standard deviations] along it
 constexpr double kNarrowest = 4;                  // [cells]
 constexpr double kAlone = 2;                      // [cells] where there are too few neighbours
+constexpr double kLineThinnest = 1.2;             // [cells] across the plane of a line
 
 /** Weighted number and moments of the points in a ball, about its centre. */
 struct BallMoments {
@@ -98,10 +99,7 @@ class Fitter {
         const Eigen::Matrix3d& axes = solver.eigenvectors();
         if (variance[1] < kLine * variance[2]) {
             surfel = facing(towards_sensor, axes.col(2));
-            const double across = kAlone * resolution_;
-            const Eigen::Vector3d tube(across * across, across * across,
-                                       squaredSemiAxes(variance)[2]);
-            H = symmetric(axes * tube.asDiagonal() * axes.transpose());
+            H = alongLine(axes.col(2), squaredSemiAxes(variance)[2], surfel);
             return;
         }
         if (m.n >= kFewestOfPlane && variance[0] < kFlat * variance[1]) {
@@ -123,6 +121,15 @@ class Fitter {
         const Eigen::Vector3d across = towards_sensor - line * line.dot(towards_sensor);
         const double sine = across.norm();
         return sine < kLeastSine ? Surfel{{0, 0, 0}, false} : flatSurfel(across / sine);
+    }
+    /** The ellipsoid of a hit on a line: thin across the plane it was given, if any. */
+    [[nodiscard]] Symmetric3 alongLine(const Eigen::Vector3d& line, double squared_length,
+                                       const Surfel& surfel) const {
+        const double wide = kAlone * resolution_, thin = kLineThinnest * resolution_;
+        const Eigen::Vector3d n(surfel.normal[0], surfel.normal[1], surfel.normal[2]);  // or 0
+        return symmetric(wide * wide * Eigen::Matrix3d::Identity() +
+                         (squared_length - wide * wide) * line * line.transpose() +
+                         (thin * thin - wide * wide) * n * n.transpose());
     }
     /** Of the ellipsoid, for the variances in increasing order. */
     [[nodiscard]] Eigen::Vector3d squaredSemiAxes(const Eigen::Vector3d& variance) const {
