@@ -34,12 +34,9 @@ std::vector<Scene> recordingsOf(const Place& place) {
 std::vector<Place> placesWithTruth(int recordings) {
     std::vector<Place> places;
     if (Scene scene = la3dmStructured(); !scene.scans.empty())
-        places.push_back({scene.name,
-                          "la3dm",
-                          "One recording of 12 scans, so that only random methods vary.",
-                          1,
-                          {},
-                          [scene](uint64_t) { return scene; }});
+        places.push_back({scene.name, "la3dm",
+                          "One recording of 12 scans, so that only random methods vary.", 1,
+                          wallAndFloor(6, 2, 7, 0.1), [scene](uint64_t) { return scene; }});
     places.push_back(
         {"structured", "structured",
          "A simulated room of 10 x 7 x 2 m with boxes, shelves and pillars; 12 scans by a depth "
@@ -50,12 +47,10 @@ std::vector<Place> placesWithTruth(int recordings) {
          "The same with leaning slabs, spheres and pillars, drawn anew for each recording.",
          recordings, wallAndFloor(2.8, 0.2, 2.9), byDepthCamera(app::SceneKind::unstructured)});
     places.push_back(
-        {"unstructured, lidar",
-         "rings",
+        {"unstructured, lidar", "rings",
          "More such rooms by another sensor: a lidar of 16 rings, 2 degrees apart, 900 directions "
          "each, noise 2 cm, returns within 13 m. No constant of any method was chosen on them.",
-         recordings,
-         {},
+         recordings, wallAndFloor(2.8, 4, 2.6),
          [](uint64_t seed) { return simulatedRings(seed, kResolution); }});
     return places;
 }
