@@ -7,6 +7,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 scratch=build-ablations
+original=$scratch/build/original
 sources="CMakeLists.txt cmake libs apps benchmarks share"
 recordings=${RECORDINGS:-3}
 
@@ -49,7 +50,7 @@ change() {
 }
 restore() {
     shift
-    while [ $# -gt 0 ]; do cat "$1" >"$scratch/$1"; shift 2; done
+    while [ $# -gt 0 ]; do cat "$original/$1" >"$scratch/$1"; shift 2; done
 }
 
 # Known AUC / MSE / precision / recall of occupied; all AUC / MSE.
@@ -89,18 +90,20 @@ measure_chosen() { if echo "$1" | grep -qE "$pattern"; then measure "$@"; fi; }
 # Only files that differ are copied, and they become new, so that no object of another row is taken
 # for that of the sources as they are.
 copy_sources() {
-    find $sources -type f | while read -r file; do
-        cmp -s "$file" "$scratch/$file" && continue
+    (cd "$original" && find . -type f) | while read -r file; do
+        cmp -s "$original/$file" "$scratch/$file" && continue
         mkdir -p "$scratch/$(dirname "$file")"
-        cat "$file" >"$scratch/$file"
+        cat "$original/$file" >"$scratch/$file"
     done
     (cd "$scratch" && find $sources -type f) | while read -r file; do
-        [ -e "$file" ] || rm "$scratch/$file"
+        [ -e "$original/$file" ] || rm "$scratch/$file"
     done
 }
 
 pattern=${1:-}
-mkdir -p "$scratch/build"
+rm -rf "$original"
+mkdir -p "$original"
+cp -r $sources "$original"  # who goes on editing meanwhile does not mix rows
 copy_sources
 pass=check
 rows  # before minutes are spent on the first ones

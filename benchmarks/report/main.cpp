@@ -39,12 +39,11 @@ void accuracy(Report& report, const std::vector<Place>& places, std::ostream& ou
     out << heading("Against a known truth") << "5 cm cells, returns within " << kMaxRange
         << " m unless said otherwise, one thread. σ: the largest standard deviation of a row's "
            "figures over its runs; a run is a recording or, where there is only one, a seed of the "
-           "method. `known`: the cells that the map has evidence for, to which precision and "
-           "recall belong too; `all`: every cell of known truth, p = 0.5 without evidence. Time is "
-           "insertion only, median. Pictures are of the first run; close-ups show a piece of a "
-           "wall "
-           "and of the floor from one viewpoint, cells coloured by what the map says beside the "
-           "truth.\n";
+           "method, of slow methods only three. `known`: the cells that the map has evidence for, "
+           "to which precision and recall belong too; `all`: every cell of known truth, p = 0.5 "
+           "without evidence. Time is insertion only, median. Pictures are of the first run; "
+           "close-ups show a piece of a wall and of the floor from one viewpoint, each cell's "
+           "colour telling what the map says of it beside the truth.\n";
     for (const Place& place : places) {
         out << "\n### " << place.name << "\n\n" << place.what << "\n\n";
         if (place.file == "la3dm") out << paperTable() << "\nHere:\n\n";
