@@ -18,7 +18,7 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libcairo2-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libxml2-utils \
   libegl1 libgl1-mesa-dri xvfb xauth xdotool netpbm
 
-.PHONY: all configure deps demo test bench bench-instructions benchmark doc-mrpt asan tsan test-trixie format clean help
+.PHONY: all configure deps demo test bench bench-instructions benchmark ablations doc-mrpt asan tsan test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -64,6 +64,11 @@ bench-instructions: configure
 	@cmake --build $(BUILD) -j$(JOBS) --target bench_instructions -- --no-print-directory
 	@benchmarks/instructions.sh $(BUILD)/bin
 
+# What each choice of the default estimator is worth, one changed at a time: a table of
+# doc/design.md. ROWS: only those whose names match this pattern.
+ablations: deps
+	@JOBS=$(JOBS) benchmarks/ablations.sh "$(ROWS)"
+
 # The tables of doc/mrpt.md, for the MRPT that is installed here.
 doc-mrpt: configure
 	@cmake --build $(BUILD) -j$(JOBS) --target mrpt_table -- --no-print-directory
@@ -81,7 +86,7 @@ format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
 clean:
-	@rm -rf build build-asan build-tsan demo
+	@rm -rf build build-ablations build-asan build-tsan demo
 
 help:
 	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
@@ -90,6 +95,7 @@ help:
 	@echo "make bench-instructions   instructions of each room on a fixed workload"
 	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
 	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md (LA3DM_DIR=...)"
+	@echo "make ablations   accuracy with one thing in the default estimator changed at a time (ROWS=PATTERN)"
 	@echo "make asan    the tests under AddressSanitizer and UBSan"
 	@echo "make tsan    the tests under ThreadSanitizer"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"

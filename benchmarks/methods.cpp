@@ -134,7 +134,7 @@ std::vector<PreparedScan> prepare(const std::vector<std::vector<Ray>>& scans, do
 MapSettings settingsFor(const Scene& scene, uint64_t seed) {
     MapSettings s;
     if (!scene.truth.leaves.empty()) s.resolution = scene.truth.resolution;
-    s.max_range = kMaxRange, s.seed = seed;
+    s.max_range = scene.max_range, s.seed = seed;
     s.box = boundsOf(scene.scans);
     return s;
 }
@@ -187,12 +187,19 @@ std::vector<Method> otherMethods() {
         {"GMM-OM",
          "ours: 70 Gaussians a scan by EM, 83,333 resamples a scan, ray-cast; its sensor "
          "model is chosen such that the structured scene's figures come near the paper's",
-         true, [](const MapSettings& s) {
+         true,
+         [](const MapSettings& s) {
              GmmOptions o;
              o.resolution = s.resolution, o.seed = s.seed;
              return std::make_unique<RivalUnderTest>(std::make_unique<GmmMap>(o));
-         }});
+         },
+         3});
     return methods;
+}
+
+std::size_t runsOf(const Method& method, std::size_t recordings, int seeds) {
+    const auto of_one = method.random ? static_cast<std::size_t>(seeds) : 1;
+    return std::min(recordings > 1 ? recordings : of_one, method.most_runs);
 }
 
 BuiltMap build(const Method& method, const MapSettings& settings,

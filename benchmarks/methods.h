@@ -41,9 +41,6 @@ struct MapSettings {
     app::Box box;          ///< of all scans [m], for dense grids
 };
 
-/** Returns farther away are left out, in all scenes. */
-inline constexpr double kMaxRange = 8;  // [m]
-
 /** For the scans of a scene; 5 cm if it has no truth. */
 [[nodiscard]] MapSettings settingsFor(const Scene& scene, uint64_t seed);
 
@@ -52,7 +49,12 @@ struct Method {
     std::string what;     ///< the implementation and its parameters
     bool random = false;  ///< whether the map depends on the seed
     std::function<std::unique_ptr<MapUnderTest>(const MapSettings&)> make;
+    std::size_t most_runs = 1000;  ///< to average: slow methods get fewer
 };
+
+/** One for each recording of a scene; of a single one, one for each seed if the method is random.
+ */
+[[nodiscard]] std::size_t runsOf(const Method& method, std::size_t recordings, int seeds);
 
 /** AkiMap's own modes: first the default. */
 [[nodiscard]] std::vector<Method> akimapMethods();

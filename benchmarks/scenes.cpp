@@ -8,15 +8,54 @@
 #include <filesystem>
 
 #include "input/PcdReader.h"
+#include "simulation/truth.h"
 
 namespace akimap::bench {
+namespace {
 
-Scene Scene::within(double max_range) const {
+constexpr double kDegree = M_PI / 180;
+constexpr std::size_t kBeams = 16;
+constexpr double kBeamStep = 2 * kDegree, kHighestBeam = 15 * kDegree;
+constexpr double kNearest = 0.3;  // [m]
+
+mrpt::poses::CPose3D lidarAt(const app::World& world, double time) {
+    return world.trajectory.at(time) + mrpt::poses::CPose3D(0, 0, 1, 0, 0, 0);
+}
+
+/** One turn of a lidar of 16 beams. \param directions of each beam */
+std::vector<Ray> takeRings(const app::World& world, double time, std::size_t directions,
+                           app::Random& random) {
+    const mrpt::poses::CPose3D sensor = lidarAt(world, time);
+    const mrpt::math::TPoint3D origin = sensor.translation();
+    std::vector<Ray> rays;
+    for (std::size_t i = 0; i < kBeams * directions; i++) {
+        const double elevation = static_cast<double>(i % kBeams) * kBeamStep - kHighestBeam;
+        const double azimuth =
+            2 * M_PI * static_cast<double>(i / kBeams) / static_cast<double>(directions);
+        const auto direction =
+            sensor.rotateVector({std::cos(elevation) * std::cos(azimuth),
+                                 std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
+        const auto range = app::measureRange(world, origin, direction, kNearest, random);
+        if (!range) continue;
+        const auto end = origin + direction * *range;
+        rays.push_back({{origin.x, origin.y, origin.z}, {end.x, end.y, end.z}});
+    }
+    return rays;
+}
+
+app::Box boxToScore() {
+    const auto box = app::scoringBox();
+    return {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
+}
+
+}  // namespace
+
+Scene Scene::within(double limit) const {
     Scene s = *this;
     for (auto& scan : s.scans) {
         const auto far = [&](const Ray& r) {
             return std::hypot(r.end[0] - r.origin[0], r.end[1] - r.origin[1],
-                              r.end[2] - r.origin[2]) > max_range;
+                              r.end[2] - r.origin[2]) > limit;
         };
         scan.erase(std::remove_if(scan.begin(), scan.end(), far), scan.end());
     }
@@ -27,11 +66,28 @@ Scene simulated(app::SceneKind kind, uint64_t seed, double resolution) {
     app::SimulationOptions options;
     options.scene = kind, options.seed = seed;
     const auto drive = app::simulate(options);
-    const auto box = app::scoringBox();
     return {kind == app::SceneKind::structured ? "structured" : "unstructured",
-            app::simulatedRays(options),
-            app::truthOf(*drive.truth(resolution)),
-            {{box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}}};
+            app::simulatedRays(options), app::truthOf(*drive.truth(resolution)), boxToScore()};
+}
+
+Scene simulatedRings(uint64_t seed, double resolution) {
+    constexpr double kRange = 13, kNoise = 0.02;  // [m] the room's diagonal is 12.4 m
+    constexpr uint64_t kSeedsOfOthers = 10;
+    seed += kSeedsOfOthers;
+    const app::Scene room = app::makeScene(app::SceneKind::unstructured, seed);
+    const app::Drive drive = app::makeDrive(room, false, seed);
+    const app::World world{room, drive.trajectory, false, kNoise, kRange};
+    app::Random random(seed, 4);
+    Scene scene{"unstructured, lidar", {}, {}, boxToScore(), kRange};
+    std::vector<app::View> views;
+    for (const double time : drive.scan_times) {
+        scene.scans.push_back(takeRings(world, time, 900, random));
+        views.push_back({lidarAt(world, time),
+                         app::FieldOfView::band(0, M_PI, -kHighestBeam, kHighestBeam), kNearest,
+                         kRange});
+    }
+    scene.truth = app::truthOf(*app::visibleTruth(room, views, resolution));
+    return scene;
 }
 
 std::string la3dmFolder() {
@@ -68,32 +124,17 @@ Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
 }
 
 LidarDrive simulatedLidar(std::size_t scans) {
-    constexpr std::size_t kBeams = 16, kDirections = 1875;
-    constexpr double kPi = 3.14159265358979323846, kMaxRange = 60, kNoise = 0.01;
+    constexpr double kRange = 60, kNoise = 0.01;
     const app::Scene scene = app::makeScene(app::SceneKind::structured, 1);
     const app::Trajectory trajectory = app::makeDrive(scene, false, 1).trajectory;
-    const app::World world{scene, trajectory, false, kNoise, kMaxRange};
+    const app::World world{scene, trajectory, false, kNoise, kRange};
     app::Random random(1, 4);
     LidarDrive drive{"simulated lidar", {}, 10};
     const double start = trajectory.keyframes().front().time,
                  span = trajectory.keyframes().back().time - start;
     for (std::size_t n = 0; n < scans; n++) {
         const double t = std::fmod(static_cast<double>(n) / drive.rate, span);
-        const mrpt::poses::CPose3D sensor =
-            trajectory.at(start + t) + mrpt::poses::CPose3D(0, 0, 1, 0, 0, 0);
-        const mrpt::math::TPoint3D origin(sensor.x(), sensor.y(), sensor.z());
-        auto& rays = drive.scans.emplace_back();
-        for (std::size_t i = 0; i < kBeams * kDirections; i++) {
-            const double elevation = (static_cast<double>(i % kBeams) * 2 - 15) * kPi / 180;
-            const double azimuth = 2 * kPi * static_cast<double>(i / kBeams) / kDirections;
-            const auto direction =
-                sensor.rotateVector({std::cos(elevation) * std::cos(azimuth),
-                                     std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
-            const auto range = app::measureRange(world, origin, direction, 0.3, random);
-            if (!range) continue;
-            const auto end = origin + direction * *range;
-            rays.push_back({{origin.x, origin.y, origin.z}, {end.x, end.y, end.z}});
-        }
+        drive.scans.push_back(takeRings(world, start + t, 1875, random));
     }
     return drive;
 }

@@ -14,19 +14,27 @@
 
 namespace akimap::bench {
 
-/** Scans in the map frame and what is true of the place they were taken in. */
+inline constexpr double kMaxRange = 8;  // [m]
+
+/** One recording: scans in the map frame, and what is true of the place they were taken in. */
 struct Scene {
     std::string name;
     std::vector<std::vector<Ray>> scans;
-    app::Truth truth;  ///< no leaves if it is not known
-    app::Box box;      ///< the cells to score
+    app::Truth truth;              ///< no leaves if it is not known
+    app::Box box;                  ///< the cells to score
+    double max_range = kMaxRange;  ///< [m] returns farther away are left out, for all maps
 
-    /** Without the returns farther than max_range [m]. */
-    [[nodiscard]] Scene within(double max_range) const;
+    /** Without the returns farther than this [m]. */
+    [[nodiscard]] Scene within(double limit) const;
 };
 
-/** A simulated drive with its exact truth. */
+/** A simulated drive with a depth camera, and its exact truth. Each seed is a recording of its own:
+ * noise, places and, in the unstructured room, the things in it. */
 [[nodiscard]] Scene simulated(app::SceneKind kind, uint64_t seed, double resolution);
+
+/** The same for a lidar of 16 beams, 2 degrees apart, 900 directions each, noise of 2 cm, that sees
+ * the whole of an unstructured room. No room is one of simulated()'s first ten. */
+[[nodiscard]] Scene simulatedRings(uint64_t seed, double resolution);
 
 /** LA3DM's folder: $LA3DM_DIR, by default $AKIMAP_DATA/la3dm. */
 [[nodiscard]] std::string la3dmFolder();

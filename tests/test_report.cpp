@@ -11,6 +11,7 @@
 #include "report/equal_time.h"
 #include "report/figures.h"
 #include "report/markdown.h"
+#include "report/sheet.h"
 
 using namespace akimap;
 using namespace akimap::bench;
@@ -103,6 +104,57 @@ TEST(Report, EveryMethodMapsAWall) {
         EXPECT_LT(*before, 0.5);
         EXPECT_FALSE(built.map->occupancy(-3, 0, 0));
     }
+}
+
+/** Free space of known truth along x, as the wall's rays see it. */
+app::Truth truthBefore() {
+    app::Truth truth;
+    truth.resolution = 0.05;
+    for (int32_t x = 2; x < 30; x++) truth.leaves.push_back({{x, 0, 0}, 1, false});
+    truth.leaves.push_back({{40, 0, 0}, 1, true});
+    return truth;
+}
+
+TEST(Report, EachRecordingIsARunUnlessTheMethodIsSlow) {
+    std::vector<Scene> scenes(3, Scene{"wall", {wall(300)}, truthBefore(), {}});
+    Method method = otherMethods().front();
+    ASSERT_FALSE(method.random);
+    EXPECT_EQ(judgeMethod(method, prepareAll({scenes[0]}), 10).row.runs, 1u);
+    scenes[1].scans = {};  // sees nothing: its row must differ
+    const Row row = judgeMethod(method, prepareAll(scenes), 10).row;
+    EXPECT_EQ(row.runs, 3u);
+    EXPECT_GT(row.largest_deviation, 0.1);
+    method.most_runs = 2;
+    EXPECT_EQ(judgeMethod(method, prepareAll(scenes), 10).row.runs, 2u);
+    method.random = true;
+    EXPECT_EQ(judgeMethod(method, prepareAll({scenes[0]}), 10).row.runs, 2u);
+}
+
+/** A truth seen from other places, or of another room, would be missed by most returns. */
+TEST(Report, TheRingsLieOnTheirTruth) {
+    const Scene scene = simulatedRings(1, 0.1);
+    const TruthCells cells(scene);
+    const auto truth = cells.lookup();
+    std::size_t returns = 0, on_surface = 0;
+    for (const auto& scan : scene.scans)
+        for (std::size_t i = 0; i < scan.size(); i += 50) {
+            const Ray& r = scan[i];
+            const double length =
+                std::hypot(r.end[0] - r.origin[0], r.end[1] - r.origin[1], r.end[2] - r.origin[2]);
+            returns++;
+            for (const double step : {-0.06, -0.03, 0.0, 0.03, 0.06}) {  // the noise is 0.02 m
+                const double s = 1 + step / length;
+                const auto at = [&](std::size_t a) {
+                    return r.origin[a] + s * (r.end[a] - r.origin[a]);
+                };
+                if (truth(at(0), at(1), at(2)).value_or(0) < 0.5) continue;
+                on_surface++;
+                break;
+            }
+        }
+    EXPECT_GT(returns, 3000u);
+    EXPECT_GT(static_cast<double>(on_surface), 0.99 * static_cast<double>(returns));
+    EXPECT_NE(scene.scans[0][0].end, simulatedRings(2, 0.1).scans[0][0].end);
 }
 
 }  // namespace

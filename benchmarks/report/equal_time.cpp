@@ -96,7 +96,7 @@ std::vector<PreparedScan> thin(const std::vector<std::vector<Ray>>& scans, doubl
 std::string equalTimeSection(Report& report, const Scene& scene, const std::string& name) {
     ThinnedScans thinned;
     for (int i = 1; i <= kSteps; i++)
-        thinned.push_back(thin(scene.scans, i / double(kSteps), kMaxRange));
+        thinned.push_back(thin(scene.scans, i / double(kSteps), scene.max_range));
     std::vector<Method> methods = {akimapMethods().front()};
     std::vector<double> seconds;
     for (Method& m : otherMethods())

@@ -70,7 +70,7 @@ const std::vector<Column>& heldOutColumns() {
 
 Row summarize(const std::string& name, const std::vector<Column>& columns,
               const std::vector<Evaluation>& runs) {
-    Row row{name, {}, std::numeric_limits<double>::quiet_NaN(), {}};
+    Row row{name, {}, runs.size(), std::numeric_limits<double>::quiet_NaN(), {}};
     for (const Column& c : columns) {
         std::vector<double> values;
         for (const Evaluation& e : runs) values.push_back(c.value(e));
@@ -88,7 +88,7 @@ std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& col
                     std::vector<std::pair<std::string, std::string>>& lost) {
     std::vector<std::string> header = {"method"};
     for (const Column& c : columns) header.emplace_back(c.name);
-    header.emplace_back("σ ≤");
+    header.insert(header.end(), {"σ ≤", "runs"});
     header.insert(header.end(), more.begin(), more.end());
     MarkdownTable table(header);
     std::vector<double> best;
@@ -101,6 +101,7 @@ std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& col
             cells.push_back(isAsGood(r.means[i], best[i]) ? bold(text) : text);
         }
         cells.push_back(fixed(r.largest_deviation, 3));
+        cells.push_back(std::to_string(r.runs));
         cells.insert(cells.end(), r.more.begin(), r.more.end());
         table.add(std::move(cells));
     }

@@ -21,11 +21,12 @@ struct Column {
 /** Against held-out scans. */
 [[nodiscard]] const std::vector<Column>& heldOutColumns();
 
-/** One method's figures over several seeds. */
+/** One method's figures over several runs. */
 struct Row {
     std::string name;
     std::vector<double> means;  ///< by column
-    double largest_deviation;   ///< the largest standard deviation of any column; NaN for one run
+    std::size_t runs;
+    double largest_deviation;  ///< the largest standard deviation of any column; NaN for one run
     std::vector<std::string> more;  ///< cells behind
 };
 [[nodiscard]] Row summarize(const std::string& name, const std::vector<Column>& columns,

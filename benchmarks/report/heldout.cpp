@@ -17,7 +17,7 @@ constexpr std::size_t kEvery = 5;
 std::string heldOutSection(Report& report, const Scene& scene, const std::string& name) {
     std::vector<PreparedScan> used;
     std::vector<Ray> judges;
-    const std::vector<PreparedScan> all = prepare(scene.scans, kMaxRange);
+    const std::vector<PreparedScan> all = prepare(scene.scans, scene.max_range);
     for (std::size_t i = 0; i < all.size(); i++) {
         if (app::isHeldOut(i, kEvery))
             judges.insert(judges.end(), all[i].rays.begin(), all[i].rays.end());
@@ -31,8 +31,8 @@ std::string heldOutSection(Report& report, const Scene& scene, const std::string
     for (const Method& m : methods) {
         report.doing(scene.name + ", held-out scans: " + m.name);
         std::vector<app::Evaluation> runs;
-        for (int seed = 1; seed <= (m.random ? report.seeds : 1); seed++) {
-            const auto built = build(m, settingsFor(scene, static_cast<uint64_t>(seed)), used);
+        for (std::size_t seed = 1; seed <= runsOf(m, 1, report.seeds); seed++) {
+            const auto built = build(m, settingsFor(scene, seed), used);
             app::ScoredCells cells = app::collect(lookupIn(*built.map), judges);
             if (seed == 1) judgements.push_back(app::judge(m.name, cells));
             runs.push_back(app::score(std::move(cells)));

@@ -17,6 +17,7 @@
 #include "report/heldout.h"
 #include "report/markdown.h"
 #include "report/on_the_fly.h"
+#include "report/places.h"
 
 using namespace akimap;
 using namespace akimap::bench;
@@ -34,18 +35,19 @@ std::string heading(const std::string& text) {
     return "\n## " + text + "\n\n";
 }
 
-void accuracy(Report& report, const std::vector<std::pair<std::string, Scene>>& scenes,
-              std::ostream& out) {
+void accuracy(Report& report, const std::vector<Place>& places, std::ostream& out) {
     out << heading("Against a known truth") << "5 cm cells, returns within " << kMaxRange
-        << " m, one thread, mean of " << report.seeds
-        << " seeds where the method is random (σ: the largest standard deviation of a row's "
-           "figures). `known`: the cells that the map has evidence for, to which precision and "
-           "recall belong too; `all`: every cell of known truth, p = 0.5 without evidence. Time is "
-           "insertion only, median.\n";
-    for (const auto& [name, scene] : scenes) {
-        out << "\n### " << scene.name << "\n\n";
-        if (name == "la3dm") out << paperTable() << "\nHere:\n\n";
-        out << accuracySection(report, scene, name);
+        << " m unless said otherwise, one thread. σ: the largest standard deviation of a row's "
+           "figures over its runs; a run is a recording or, where there is only one, a seed of the "
+           "method, of slow methods only three. `known`: the cells that the map has evidence for, "
+           "to which precision and recall belong too; `all`: every cell of known truth, p = 0.5 "
+           "without evidence. Time is insertion only, median. Pictures are of the first run; "
+           "close-ups show a piece of a wall and of the floor from one viewpoint, each cell's "
+           "colour telling what the map says of it beside the truth.\n";
+    for (const Place& place : places) {
+        out << "\n### " << place.name << "\n\n" << place.what << "\n\n";
+        if (place.file == "la3dm") out << paperTable() << "\nHere:\n\n";
+        out << accuracySection(report, place);
     }
     out << "\nThe rows:\n\n";
     for (const auto& methods : {akimapMethods(), otherMethods()})
@@ -117,23 +119,20 @@ void run(const Request& request) {
         std::fflush(stdout);
     };
     const char* data = std::getenv("AKIMAP_DATA");
-    const auto scenes =
-        withScans({{"la3dm", la3dmStructured()},
-                   {"structured", simulated(app::SceneKind::structured, 1, 0.05)},
-                   {"unstructured", simulated(app::SceneKind::unstructured, 1, 0.05)}});
+    const std::vector<Place> places = placesWithTruth(request.seeds);
+    const Scene first = places.front().take(1);
     auto held_out_scenes =
         withScans({{"corridor", pcdFolder("Corridor (real lidar)",
                                           std::string(data ? data : "") + "/corridor")},
                    {"la3dm_unstructured",
                     pcdFolder("LA3DM unstructured", la3dmFolder() + "/sim_unstructured")},
-                   scenes.front()});
-
+                   {places.front().file, first}});
     if (!request.own.inputs.empty())
         held_out_scenes.emplace_back("own", scansOf(request.own.inputs.front(), request.own));
 
     std::ostringstream body;
-    accuracy(report, scenes, body);
-    equalTime(report, scenes.front().second, scenes.front().first, body);
+    accuracy(report, places, body);
+    equalTime(report, first, places.front().file, body);
     heldOut(report, held_out_scenes, body);
     onTheFly(report, body);
 
@@ -164,7 +163,7 @@ int main(int argc, char** argv) try {
     Request request;
     app.add_option("-o,--output", request.output, "The report")->capture_default_str();
     app.add_option("--pictures", request.pictures, "Folder for them")->capture_default_str();
-    app.add_option("--seeds", request.seeds, "Runs to average")
+    app.add_option("--seeds", request.seeds, "Recordings, or runs of random methods, to average")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
     app.add_option("--scans", request.own.inputs,

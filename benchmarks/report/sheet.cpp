@@ -2,8 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #include "report/sheet.h"
 
-#include <mrpt/img/CImage.h>
-
 #include <cmath>
 #include <stdexcept>
 
@@ -33,28 +31,40 @@ app::MapView viewOf(const app::OccupancyLookup& occupancy, const app::Box& box, 
     return view;
 }
 
-/** The truth as if it were a map. */
-app::OccupancyLookup lookupIn(const app::Truth& truth, const app::Box& box, app::CellSet& occupied,
-                              app::CellSet& free) {
-    const BlockGrid grid(truth.resolution);
-    truth.forEachCell(box, [&](double x, double y, double z, bool is_occupied) {
-        (is_occupied ? occupied : free).insert(grid.cellAt(x, y, z));
+}  // namespace
+
+TruthCells::TruthCells(const Scene& scene) : grid_(scene.truth.resolution) {
+    scene.truth.forEachCell(scene.box, [&](double x, double y, double z, bool is_occupied) {
+        (is_occupied ? occupied_ : free_).insert(grid_.cellAt(x, y, z));
     });
-    return [&occupied, &free, grid](double x, double y, double z) -> std::optional<double> {
-        const CellIndex c = grid.cellAt(x, y, z);
-        if (occupied.contains(c)) return 1;
-        if (free.contains(c)) return 0;
+}
+
+app::OccupancyLookup TruthCells::lookup() const {
+    return [this](double x, double y, double z) -> std::optional<double> {
+        const CellIndex c = grid_.cellAt(x, y, z);
+        if (occupied_.contains(c)) return 1;
+        if (free_.contains(c)) return 0;
         return std::nullopt;
     };
 }
 
-}  // namespace
+CImage whiteSheet(int width, int height) {
+    CImage sheet(width, height, mrpt::img::CH_RGB);
+    sheet.filledRectangle(0, 0, width - 1, height - 1, mrpt::img::TColor::white());
+    return sheet;
+}
+
+void saveWhole(const CImage& sheet, const std::string& file) {
+    app::AtomicFile atomic(file);
+    if (!sheet.saveToFile(atomic.path()))
+        throw std::runtime_error(file + ": the picture could not be written");
+    atomic.commit();
+}
 
 void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std::string& file) {
     const double resolution = scene.truth.resolution;
-    app::CellSet occupied, free;
-    std::vector<NamedMap> panels = {
-        {"the truth", lookupIn(scene.truth, scene.box, occupied, free)}};
+    const TruthCells truth(scene);
+    std::vector<NamedMap> panels = {{"the truth", truth.lookup()}};
     panels.insert(panels.end(), maps.begin(), maps.end());
     app::ExportOptions options;
     options.slice = 1.0;
@@ -62,9 +72,7 @@ void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std
         app::chooseViewpoint(viewOf(panels.front().occupancy, scene.box, resolution), options);
 
     const int rows = (static_cast<int>(panels.size()) + kColumns - 1) / kColumns;
-    CImage sheet(kColumns * kPanelWidth, rows * (kPanelHeight + kTitle), mrpt::img::CH_RGB);
-    sheet.filledRectangle(0, 0, static_cast<int>(sheet.getWidth()) - 1,
-                          static_cast<int>(sheet.getHeight()) - 1, mrpt::img::TColor::white());
+    CImage sheet = whiteSheet(kColumns * kPanelWidth, rows * (kPanelHeight + kTitle));
     for (std::size_t i = 0; i < panels.size(); i++) {
         const int left = static_cast<int>(i % kColumns) * kPanelWidth;
         const int top = static_cast<int>(i / kColumns) * (kPanelHeight + kTitle);
@@ -76,10 +84,7 @@ void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std
         sheet.selectTextFont("10x20");
         sheet.textOut(left + 16, top + 10, panels[i].name, app::kInk);
     }
-    app::AtomicFile atomic(file);
-    if (!sheet.saveToFile(atomic.path()))
-        throw std::runtime_error(file + ": the picture could not be written");
-    atomic.commit();
+    saveWhole(sheet, file);
 }
 
 }  // namespace akimap::bench
