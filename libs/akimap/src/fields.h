@@ -24,6 +24,8 @@ template <class Parameters, class Visitor>
 IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&& visit) {
     visit("min_range", o.min_range, "[m] >= 0. Returns nearer to their ray's origin are dropped");
     visit("max_range", o.max_range, "[m] > min_range. Returns farther away are dropped");
+    visit("beyond_max_range", o.beyond_max_range,
+          "ignore | free: what beams say that met nothing up to max_range");
     visit("estimator", o.estimator,
           "surface (fitted to hits, free space around rays) | paper (sampling_distance to "
           "scale_max)");
