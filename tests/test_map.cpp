@@ -36,6 +36,7 @@ AkiMap everyOptionChanged() {
     AkiMap map = smallMap(0.2);
     auto& o = map.insertionOptions;
     o.beyond_max_range = BeyondMaxRange::free;
+    o.max_evidence = 50;
     o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.2;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
     o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
@@ -157,6 +158,7 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("free_radius", [](auto& o) { o.free_radius = -1; });
     expectRefusal("beyond_max_range",
                   [](auto& o) { o.beyond_max_range = static_cast<BeyondMaxRange>(2); });
+    expectRefusal("max_evidence", [](auto& o) { o.max_evidence = 0.5; });
     expectRefusal("estimator", [](auto& o) { o.estimator = static_cast<Estimator>(9); });
     map.insertionOptions.estimator = Estimator::paper;
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });

@@ -94,7 +94,7 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     e.free.spread(radius);
     BlockGrid surface(resolution);
     scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);
-    const bool changed = addEvidence(surface, e.free, radius, grid, e);
+    const bool changed = addEvidence(surface, e.free, radius, p.max_evidence, grid, e);
     stats.seconds_update += watch.lap();
     return changed;
 }

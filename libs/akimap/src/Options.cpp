@@ -133,7 +133,7 @@ bool isStreamed(const char* name) {
 }
 /** The first version of the map format that holds an option. */
 int firstVersionOf(std::string_view name) {
-    return name == "beyond_max_range" ? 2 : 1;
+    return name == "beyond_max_range" || name == "max_evidence" ? 2 : 1;
 }
 
 struct StreamWriter {
@@ -191,6 +191,9 @@ void InsertionParameters::validate() const {
     requireKnown("estimator", estimator, Estimator::surface);
     requirePositive("surface_range", surface_range);
     requirePositive("free_radius", free_radius);
+    requireNonNegative("max_evidence", max_evidence);
+    require(max_evidence == 0 || max_evidence >= 1, "max_evidence", max_evidence,
+            "0 (none) or at least 1");
     requirePositive("sampling_distance", sampling_distance);
     require(max_range / sampling_distance < 1e6, "sampling_distance", sampling_distance,
             "at least a millionth of max_range");

@@ -33,6 +33,9 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
           "[m] > 0. estimator = surface: neighbours of a hit are sought no farther");
     visit("free_radius", o.free_radius,
           "[m] > 0. estimator = surface: how far free space reaches from a ray; 1.5 to 8 cells");
+    visit("max_evidence", o.max_evidence,
+          "[-] 0 or >= 1. estimator = surface: bound of alpha + beta, so that old scans fade; 0: "
+          "none");
     visit("sampling_distance", o.sampling_distance,
           "[m] > 0. One free sample in each such stretch of a ray");
     visit("search_range_origin", o.search_range_origin,

@@ -59,6 +59,8 @@ struct InsertionParameters {
         0.5;  ///< [m] > 0. Neighbours of a hit are sought no farther (estimator = surface)
     double free_radius = 0.25;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
                                 ///< (estimator = surface)
+    double max_evidence = 100;  ///< [-] 0 or >= 1. alpha + beta of a cell is scaled down to it, so
+                                ///< that old scans fade; 0: never (estimator = surface)
     double sampling_distance = 0.5;  ///< [m] > 0. One free sample in each such stretch of a ray
     double search_range_origin = 0;  ///< [m] >= 0. Search range at the sensor; 0: one cell
     double search_range_max = 0.5;   ///< [m] > 0. Search range at max_range; linear in between
