@@ -5,6 +5,9 @@
 #include <akimap/AkiMap.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <iostream>
+
 #include "run_program.h"
 
 namespace {
@@ -79,6 +82,34 @@ TEST(Examples, IcpFindsThePoseOfAScan) {
     const auto run = runCommand(example("align_with_icp"));
     EXPECT_EQ(run.exit, 0) << run.out << run.err;  // it measures its own error
     EXPECT_TRUE(contains(run.out, " m from the truth")) << run.out;
+}
+
+/** The number that stands before " of 30" behind the method's name; -1 if it is not there. */
+int convergedOf30(const std::string& text, const std::string& method) {
+    const auto at = text.find(method + ": ");
+    int n = -1, of = 0;
+    if (at == std::string::npos ||
+        std::sscanf(text.c_str() + at + method.size() + 2, "%d of %d", &n, &of) != 2 || of != 30)
+        return -1;
+    return n;
+}
+
+TEST(Examples, PointToPlaneFindsThePosesOfScansThatTheMapHasNotSeen) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(
+        runProgram("simulate structured --sensor velodyne --with-poses --truth-resolution 0.5 -o " +
+                   folder.path().string())
+            .exit,
+        0);
+    const auto run = runCommand(example("align_point_to_plane") + folder.file("scene.rawlog"));
+    EXPECT_EQ(run.exit, 0) << run.err;
+    std::cout << run.out;
+    EXPECT_EQ(convergedOf30(run.out, "point to plane"), 30);
+    EXPECT_GE(convergedOf30(run.out, "point to plane"), convergedOf30(run.out, "point to point"));
+    EXPECT_GE(convergedOf30(run.out, "point to point"), 0);
+    const auto no_log = runCommand(example("align_point_to_plane") + "/nonexistent.rawlog");
+    EXPECT_EQ(no_log.exit, 1);
+    EXPECT_TRUE(contains(no_log.err, "/nonexistent.rawlog")) << no_log.err;
 }
 
 TEST(Examples, AWindowShowsAMapAndClosesByItself) {

@@ -35,6 +35,8 @@ AkiMap smallMap(double resolution = 0.1) {
 AkiMap everyOptionChanged() {
     AkiMap map = smallMap(0.2);
     auto& o = map.insertionOptions;
+    o.beyond_max_range = BeyondMaxRange::free;
+    o.max_evidence = 50;
     o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.2;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
     o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
@@ -154,6 +156,9 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = INFINITY; });
     expectRefusal("surface_range", [](auto& o) { o.surface_range = 1e6; });
     expectRefusal("free_radius", [](auto& o) { o.free_radius = -1; });
+    expectRefusal("beyond_max_range",
+                  [](auto& o) { o.beyond_max_range = static_cast<BeyondMaxRange>(2); });
+    expectRefusal("max_evidence", [](auto& o) { o.max_evidence = 0.5; });
     expectRefusal("estimator", [](auto& o) { o.estimator = static_cast<Estimator>(9); });
     map.insertionOptions.estimator = Estimator::paper;
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
@@ -228,8 +233,9 @@ TEST(AkiMap, MultiMetricMapFromAnIniAndItsCopy) {
 }
 
 TEST(AkiMap, IniWithABadValueThrowsAndNamesIt) {
-    for (const std::string line : {"max_range=abc", "bandwidth=isotropc", "threads=-1",
-                                   "covariance_floor=-1", "seed=1.5", "max_range=0,5"}) {
+    for (const std::string line :
+         {"max_range=abc", "bandwidth=isotropc", "threads=-1", "covariance_floor=-1", "seed=1.5",
+          "beyond_max_range=yes", "max_range=0,5"}) {
         mrpt::config::CConfigFileMemory ini("[s]\n" + line + "\n");
         TInsertionOptions o;
         try {

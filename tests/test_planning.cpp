@@ -133,4 +133,19 @@ TEST(SurfaceNormal, OfAWallLooksAtTheSensor) {
     EXPECT_FALSE(surfaceNormal(map, 50, 50, 50));
 }
 
+TEST(SurfaceNormal, IsLessSureWhereTwoWallsMeet) {
+    AkiMap map(0.05);
+    std::vector<Ray> scan;
+    for (int i = -40; i <= 40; i++)
+        for (int j = -40; j <= 40; j++) {
+            scan.push_back({{0.025, 0.025, 0.025}, {kWall, 0.025 + 0.05 * i, 0.025 * j}});
+            scan.push_back({{0.025, 0.025, 0.025}, {0.025 + 0.05 * i, kWall, 0.025 * j}});
+        }
+    map.insertRays(scan);
+    const auto wall = surfaceNormal(map, kWall, 0.5, 0.1),
+               edge = surfaceNormal(map, kWall, kWall, 0.1);
+    ASSERT_TRUE(wall && edge);
+    EXPECT_GT(wall->confidence, edge->confidence + 0.2) << edge->confidence;
+}
+
 }  // namespace

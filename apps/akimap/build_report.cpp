@@ -65,6 +65,7 @@ void printTable(const BuildReport& report, std::ostream& out) {
     const InsertionStats& s = report.insertion;
     row(out, "scans", countText(s.scans));
     row(out, "points", countText(s.points));
+    if (s.free_beams) row(out, "beams without a hit", countText(s.free_beams));
     row(out, "occupied samples", countText(s.samples_occupied));
     row(out, "free samples", countText(s.samples_free));
     row(out, "cells", countText(report.cells));
@@ -92,6 +93,7 @@ void writeJson(const BuildReport& report, const std::string& file) {
     const InsertionStats& s = report.insertion;
     nlohmann::ordered_json json{{"scans", s.scans},
                                 {"points", s.points},
+                                {"free_beams", s.free_beams},
                                 {"samples_occupied", s.samples_occupied},
                                 {"samples_free", s.samples_free},
                                 {"cells", report.cells},

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "Scratch.h"
+#include "free_beams.h"
 
 namespace akimap {
 namespace {
@@ -86,13 +87,14 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     Stopwatch watch;
     const auto kept = takeHits(rays, p, grid, s.taken, s.samples, stats);
     stats.seconds_sampling += watch.lap();
-    fitSurfels(kept, s.samples, p, resolution, e.fit, e.surfels, s.H);
+    fitSurfels(kept.hits, s.samples, p, resolution, e.fit, e.surfels, s.H);
     stats.seconds_bandwidth += watch.lap();
-    stats.samples_free += markFree(kept, e.surfels, radius, resolution, e.free);
+    stats.samples_free += markFree(kept.hits, e.surfels, radius, resolution, e.free);
+    stats.samples_free += markFreeBeams(kept.free, radius, resolution, e.free);
     e.free.spread(radius);
     BlockGrid surface(resolution);
     scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);
-    const bool changed = addEvidence(surface, e.free, radius, grid, e);
+    const bool changed = addEvidence(surface, e.free, radius, p.max_evidence, grid, e);
     stats.seconds_update += watch.lap();
     return changed;
 }
@@ -124,7 +126,9 @@ bool AkiMap::internal_insertObservation(
     const std::optional<const mrpt::poses::CPose3D>& robotPose) {
     const mrpt::poses::CPose3D fixed = robotPose ? *robotPose : mrpt::poses::CPose3D();
     const RobotPoseAt at_rest = [&](mrpt::Clock::time_point) { return std::optional(fixed); };
-    const auto rays = moving_pose_ ? raysOf(obs, *moving_pose_, true) : raysOf(obs, at_rest);
+    const bool with_free = insertionOptions.beyond_max_range == BeyondMaxRange::free;
+    const auto rays = moving_pose_ ? raysOf(obs, *moving_pose_, true, with_free)
+                                   : raysOf(obs, at_rest, false, with_free);
     return rays && insertRays(*rays);
 }
 

@@ -87,7 +87,7 @@ std::string ourReason(const std::string& what) {
 }  // namespace
 
 uint8_t AkiMap::serializeGetVersion() const {
-    return 1;
+    return 2;  // 1: without the options of firstVersionOf()
 }
 
 void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
@@ -113,12 +113,12 @@ void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
 }
 
 void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-    if (version != 1) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
+    if (version != 1 && version != 2) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
     AkiMap loaded(in.ReadAs<double>());
     in >> loaded.genericMapParams;
-    loaded.insertionOptions.readFromStream(in);
-    loaded.likelihoodOptions.readFromStream(in);
-    loaded.renderingOptions.readFromStream(in);
+    loaded.insertionOptions.readFromStream(in, version);
+    loaded.likelihoodOptions.readFromStream(in, version);
+    loaded.renderingOptions.readFromStream(in, version);
     in >> loaded.scan_index_;
     auto left = in.ReadAs<uint64_t>();
     loaded.grid_.reserve(std::min<uint64_t>(left, 1 << 16));  // the number may be wrong

@@ -17,6 +17,10 @@ MRPT_ENUM_TYPE_BEGIN(akimap::Estimator)
 MRPT_FILL_ENUM_MEMBER(akimap::Estimator, paper);
 MRPT_FILL_ENUM_MEMBER(akimap::Estimator, surface);
 MRPT_ENUM_TYPE_END()
+MRPT_ENUM_TYPE_BEGIN(akimap::BeyondMaxRange)
+MRPT_FILL_ENUM_MEMBER(akimap::BeyondMaxRange, ignore);
+MRPT_FILL_ENUM_MEMBER(akimap::BeyondMaxRange, free);
+MRPT_ENUM_TYPE_END()
 MRPT_ENUM_TYPE_BEGIN(akimap::Bandwidth)
 MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, adaptive);
 MRPT_FILL_ENUM_MEMBER(akimap::Bandwidth, covariance);
@@ -127,6 +131,10 @@ struct Saver {
 bool isStreamed(const char* name) {
     return std::string_view(name) != "threads";
 }
+/** The first version of the map format that holds an option. */
+int firstVersionOf(std::string_view name) {
+    return name == "beyond_max_range" || name == "max_evidence" ? 2 : 1;
+}
 
 struct StreamWriter {
     mrpt::serialization::CArchive& out;
@@ -141,9 +149,10 @@ struct StreamWriter {
 };
 struct StreamReader {
     mrpt::serialization::CArchive& in;
+    int version;
     template <class T>
     void operator()(const char* name, T& value, const char*) const {
-        if (!isStreamed(name)) return;
+        if (!isStreamed(name) || version < firstVersionOf(name)) return;
         if constexpr (std::is_enum_v<T>)
             value = static_cast<T>(in.ReadAs<uint8_t>());
         else
@@ -178,9 +187,13 @@ void InsertionParameters::validate() const {
     requireNonNegative("min_range", min_range);
     requirePositive("max_range", max_range);
     require(max_range > min_range, "max_range", max_range, "greater than min_range");
+    requireKnown("beyond_max_range", beyond_max_range, BeyondMaxRange::free);
     requireKnown("estimator", estimator, Estimator::surface);
     requirePositive("surface_range", surface_range);
     requirePositive("free_radius", free_radius);
+    requireNonNegative("max_evidence", max_evidence);
+    require(max_evidence == 0 || max_evidence >= 1, "max_evidence", max_evidence,
+            "0 (none) or at least 1");
     requirePositive("sampling_distance", sampling_distance);
     require(max_range / sampling_distance < 1e6, "sampling_distance", sampling_distance,
             "at least a millionth of max_range");
@@ -233,9 +246,10 @@ void LoadableOptions<Parameters>::writeToStream(mrpt::serialization::CArchive& o
     visitFields(*this, StreamWriter{out});
 }
 template <class Parameters>
-void LoadableOptions<Parameters>::readFromStream(mrpt::serialization::CArchive& in) {
+void LoadableOptions<Parameters>::readFromStream(mrpt::serialization::CArchive& in,
+                                                 uint8_t version) {
     Parameters loaded = *this;
-    visitFields(loaded, StreamReader{in});
+    visitFields(loaded, StreamReader{in, version});
     loaded.validate();
     static_cast<Parameters&>(*this) = loaded;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace akimap {
 namespace {
@@ -23,14 +24,25 @@ struct ScanBlock {
     const uint16_t* power;
 };
 
+/** Scales both down where they are more than the bound in sum, but not to denormal numbers, which
+ * are slow. */
+AKIMAP_INLINE void boundSum(float bound, Row& alpha, Row& beta) {
+    constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
+    const Row sum = alpha + beta, scale = sum > bound ? bound / sum : one;
+    for (Row* v : {&alpha, &beta}) {
+        const Row least = *v < 1e-20f ? *v : 1e-20f * one, scaled = *v * scale;
+        *v = scaled > least ? scaled : least;
+    }
+}
+
 /** Adds one scan to a block. \return whether a cell of it gained evidence */
 AKIMAP_MULTIVERSION
-bool addBlock(const ScanBlock& scan, float inverse_limit, Block& block) {
+bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, Block& block) {
     using Powers = uint16_t __attribute__((vector_size(16)));
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
     RowMask gained{};
     for (int i = 0; i < Block::kCells; i += Block::kSide) {
-        const Row alpha = loadRow(block.alpha.data() + i), beta = loadRow(block.beta.data() + i);
+        Row alpha = loadRow(block.alpha.data() + i), beta = loadRow(block.beta.data() + i);
         Row a{}, b{};
         if (scan.power) {
             Powers power;
@@ -45,8 +57,10 @@ bool addBlock(const ScanBlock& scan, float inverse_limit, Block& block) {
             b *= one - a;
         }
         gained |= (a > 0.0f) | (b > 0.0f);
-        storeRow(block.alpha.data() + i, alpha + kSurfaceWeight * a);
-        storeRow(block.beta.data() + i, beta + b);
+        alpha += kSurfaceWeight * a, beta += b;
+        boundSum(bound, alpha, beta);
+        storeRow(block.alpha.data() + i, alpha);
+        storeRow(block.beta.data() + i, beta);
     }
     return bitsOf(gained != 0) != 0;
 }
@@ -96,8 +110,8 @@ std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>
     return balls;
 }
 
-bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius, BlockGrid& grid,
-                 EvidenceScratch& s) {
+bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
+                 double max_evidence, BlockGrid& grid, EvidenceScratch& s) {
     KeyTable index;
     std::vector<ScanBlock> scan;
     s.where.clear();
@@ -125,9 +139,11 @@ bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
         s.fresh[b] = std::make_shared<Block>();
         s.blocks[b] = s.fresh[b].get();
     });
+    const auto bound = max_evidence > 0 ? static_cast<float>(max_evidence)
+                                        : std::numeric_limits<float>::infinity();
     const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        reached[b] = addBlock(scan[b], inverse_limit, *s.blocks[b]);
+        reached[b] = addBlock(scan[b], inverse_limit, bound, *s.blocks[b]);
     });
     bool changed = false;
     for (std::size_t b = 0; b < n; b++) {

@@ -26,9 +26,10 @@ std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>
 /** Adds one scan to the map: to each cell at most one observation of a surface and one of free
  * space, the surface before the free space.
  * \param surface the sums of the hits' kernels, as alpha
+ * \param max_evidence alpha and beta are scaled down where they are more in sum; 0: never
  * \return whether any cell gained evidence
  * \exception std::bad_alloc with no sum changed */
-bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius, BlockGrid& grid,
-                 EvidenceScratch& scratch);
+bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
+                 double max_evidence, BlockGrid& grid, EvidenceScratch& scratch);
 
 }  // namespace akimap

@@ -24,6 +24,8 @@ template <class Parameters, class Visitor>
 IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&& visit) {
     visit("min_range", o.min_range, "[m] >= 0. Returns nearer to their ray's origin are dropped");
     visit("max_range", o.max_range, "[m] > min_range. Returns farther away are dropped");
+    visit("beyond_max_range", o.beyond_max_range,
+          "ignore | free: what beams say that met nothing up to max_range");
     visit("estimator", o.estimator,
           "surface (fitted to hits, free space around rays) | paper (sampling_distance to "
           "scale_max)");
@@ -31,6 +33,9 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
           "[m] > 0. estimator = surface: neighbours of a hit are sought no farther");
     visit("free_radius", o.free_radius,
           "[m] > 0. estimator = surface: how far free space reaches from a ray; 1.5 to 8 cells");
+    visit("max_evidence", o.max_evidence,
+          "[-] 0 or >= 1. estimator = surface: bound of alpha + beta, so that old scans fade; 0: "
+          "none");
     visit("sampling_distance", o.sampling_distance,
           "[m] > 0. One free sample in each such stretch of a ray");
     visit("search_range_origin", o.search_range_origin,

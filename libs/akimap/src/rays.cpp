@@ -8,6 +8,9 @@
 #include <mrpt/obs/CObservationRotatingScan.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <mutex>
 
 #include "mrpt_compat.h"
@@ -21,10 +24,15 @@ using mrpt::poses::CPose3D;
 /** Appends rays from one sensor pose to points in the sensor's frame. */
 class RayMaker {
  public:
-    RayMaker(const CPose3D& sensor_in_map, std::vector<Ray>& rays)
-        : pose_(sensor_in_map), origin_{pose_.x(), pose_.y(), pose_.z()}, rays_(rays) {}
-    void add(double x, double y, double z) {
-        Ray r{origin_, {}};
+    RayMaker(const CPose3D& sensor_in_map, std::vector<Ray>& rays, bool with_free)
+        : pose_(sensor_in_map),
+          origin_{pose_.x(), pose_.y(), pose_.z()},
+          rays_(rays),
+          with_free_(with_free) {}
+    /** Whether beams without a return are wanted. */
+    [[nodiscard]] bool withFree() const { return with_free_; }
+    void add(double x, double y, double z, bool hit = true) {
+        Ray r{origin_, {}, hit};
         pose_.composePoint(x, y, z, r.end[0], r.end[1], r.end[2]);
         rays_.push_back(r);
     }
@@ -33,6 +41,7 @@ class RayMaker {
     CPose3D pose_;
     std::array<double, 3> origin_;
     std::vector<Ray>& rays_;
+    bool with_free_;
 };
 
 /** Depth images are preferred to points3D, which other maps are known to shrink in place. */
@@ -46,9 +55,10 @@ void addDepthImage(const CObservation3DRangeScan& o, RayMaker& rays) {
                                  " pixels, camera model of " + std::to_string(lut.Kxs.size()));
     const uint16_t* range = image.data();
     for (std::size_t i = 0; i < n; i++) {
-        if (range[i] == 0) continue;
-        const double d = range[i] * static_cast<double>(o.rangeUnits);
-        rays.add(d * lut.Kxs[i], d * lut.Kys[i], d * lut.Kzs[i]);
+        const bool hit = range[i] != 0;
+        if (!hit && !rays.withFree()) continue;
+        const double d = hit ? range[i] * static_cast<double>(o.rangeUnits) : o.maxRange;
+        rays.add(d * lut.Kxs[i], d * lut.Kys[i], d * lut.Kzs[i], hit);
     }
 }
 
@@ -72,9 +82,10 @@ void addScan(const CObservationPointCloud& o, RayMaker& rays) {
 
 void addScan(const CObservation2DRangeScan& o, RayMaker& rays) {
     for (std::size_t i = 0; i < o.getScanSize(); i++) {
-        if (!o.getScanRangeValidity(i)) continue;
-        const double range = o.getScanRange(i), angle = o.getScanAngle(i);
-        rays.add(range * std::cos(angle), range * std::sin(angle), 0);
+        const bool hit = o.getScanRangeValidity(i);
+        if (!hit && !rays.withFree()) continue;
+        const double range = hit ? o.getScanRange(i) : o.maxRange, angle = o.getScanAngle(i);
+        rays.add(range * std::cos(angle), range * std::sin(angle), 0, hit);
     }
 }
 
@@ -98,13 +109,23 @@ void addScan(const CObservationRotatingScan& o, RayMaker& rays) {
 class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
  public:
     PacketRays(const CPose3D& sensor_on_robot, const AkiMap::RobotPoseAt& robot_pose_at,
-               std::vector<Ray>& rays)
-        : sensor_on_robot_(sensor_on_robot), robot_pose_at_(robot_pose_at), rays_(rays) {}
+               std::vector<Ray>& rays, bool with_free)
+        : sensor_on_robot_(sensor_on_robot),
+          robot_pose_at_(robot_pose_at),
+          rays_(rays),
+          with_free_(with_free) {}
+    /** Points farther away [m] are beams of that length without a return. */
+    void endAt(double range) { range_ = range; }
     void add_point(float x, float y, float z, uint8_t /*intensity*/,
                    const mrpt::system::TTimeStamp& time, const float /*azimuth*/,
                    uint16_t /*laser*/) override {
         if (!have_time_ || time != time_) placeAt(time);
-        if (maker_) maker_->add(x, y, z);
+        if (!maker_) return;
+        const double d = range_ ? std::hypot(x, y, z) : 0;
+        if (range_ && d > *range_)
+            maker_->add(x * *range_ / d, y * *range_ / d, z * *range_ / d, false);
+        else
+            maker_->add(x, y, z);
     }
 
  private:
@@ -112,13 +133,15 @@ class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
         have_time_ = true, time_ = time;
         const auto robot = robot_pose_at_(time);
         if (robot)
-            maker_.emplace(*robot + sensor_on_robot_, rays_);
+            maker_.emplace(*robot + sensor_on_robot_, rays_, with_free_);
         else
             maker_.reset();
     }
     const CPose3D& sensor_on_robot_;
     const AkiMap::RobotPoseAt& robot_pose_at_;
     std::vector<Ray>& rays_;
+    bool with_free_;
+    std::optional<double> range_;
     bool have_time_ = false;
     mrpt::system::TTimeStamp time_;
     std::optional<RayMaker> maker_;
@@ -132,9 +155,25 @@ void decodePackets(const CObservationVelodyneScan& o, PacketRays& receiver) {
     const_cast<CObservationVelodyneScan&>(o).generatePointCloud(receiver, all);
 }
 
+/** Beams without a return have the distance 0, which MRPT does not decode: the largest that can be
+ * written takes its place. */
+void decodePacketsAndFree(const CObservationVelodyneScan& o, PacketRays& receiver) {
+    constexpr double kBelowLargest = 130;  // [m] of 131.07, before the calibration
+    CObservationVelodyneScan all = o;
+    for (auto& packet : all.scan_packets)
+        for (auto& block : packet.blocks)
+            for (auto& r : block.laser_returns)
+                if (r.distance() == 0)  // its first two bytes, in either order
+                    std::memset(static_cast<void*>(&r), 0xff, sizeof(uint16_t));
+    receiver.endAt(std::min(o.maxRange, kBelowLargest));
+    all.maxRange = 2 * kBelowLargest;
+    decodePackets(all, receiver);
+}
+
 void addVelodyne(const CObservationVelodyneScan& o, const AkiMap::RobotPoseAt& robot_pose_at,
-                 bool moving, std::vector<Ray>& rays) {
-    PacketRays receiver(o.sensorPose, robot_pose_at, rays);
+                 bool moving, bool with_free, std::vector<Ray>& rays) {
+    PacketRays receiver(o.sensorPose, robot_pose_at, rays, with_free);
+    if (with_free && !o.scan_packets.empty()) return decodePacketsAndFree(o, receiver);
     const auto& cloud = o.point_cloud;
     const bool timed = cloud.timestamp.size() == cloud.x.size();
     // A cloud that MRPT made of the packets usually has no times.
@@ -166,13 +205,13 @@ void loadOnce(const T& o) {
 
 /** If obs is a T: loads it, adds its rays from the pose at its time, and returns true. */
 template <class T>
-bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at,
+bool addIf(const CObservation& obs, const AkiMap::RobotPoseAt& robot_pose_at, bool with_free,
            std::vector<Ray>& rays) {
     const auto* o = dynamic_cast<const T*>(&obs);
     if (!o) return false;
     loadOnce(*o);
     if (const auto robot = robot_pose_at(o->timestamp)) {
-        RayMaker maker(*robot + o->sensorPose, rays);
+        RayMaker maker(*robot + o->sensorPose, rays, with_free);
         addScan(*o, maker);
     }
     return true;
@@ -194,18 +233,19 @@ bool givesRays(const CObservation& obs) {
 }
 
 std::optional<std::vector<Ray>> raysOf(const CObservation& obs,
-                                       const AkiMap::RobotPoseAt& robot_pose_at, bool moving) {
+                                       const AkiMap::RobotPoseAt& robot_pose_at, bool moving,
+                                       bool with_free) {
     std::vector<Ray> rays;
     if (const auto* velodyne = dynamic_cast<const CObservationVelodyneScan*>(&obs)) {
-        addVelodyne(*velodyne, robot_pose_at, moving, rays);
+        addVelodyne(*velodyne, robot_pose_at, moving, with_free, rays);
         return rays;
     }
-    if (addIf<CObservation3DRangeScan>(obs, robot_pose_at, rays) ||
-        addIf<CObservationPointCloud>(obs, robot_pose_at, rays) ||
+    if (addIf<CObservation3DRangeScan>(obs, robot_pose_at, with_free, rays) ||
+        addIf<CObservationPointCloud>(obs, robot_pose_at, with_free, rays) ||
 #if AKIMAP_HAS_ROTATING_SCAN
-        addIf<CObservationRotatingScan>(obs, robot_pose_at, rays) ||
+        addIf<CObservationRotatingScan>(obs, robot_pose_at, with_free, rays) ||
 #endif
-        addIf<CObservation2DRangeScan>(obs, robot_pose_at, rays))
+        addIf<CObservation2DRangeScan>(obs, robot_pose_at, with_free, rays))
         return rays;
     return std::nullopt;
 }

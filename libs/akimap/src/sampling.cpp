@@ -41,11 +41,23 @@ bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
     if (!isFinite(r.origin) || !isFinite(r.end)) return ++stats.dropped_nonfinite, false;
     const double length = lengthOf(r);
     if (length == 0) return ++stats.dropped_zero, false;
-    if (!p.takesLength(length)) return ++stats.dropped_range, false;
+    if (!p.takesLength(length) || (!r.hit && p.beyond_max_range == BeyondMaxRange::ignore))
+        return ++stats.dropped_range, false;
     if (!grid.covers(r.origin[0], r.origin[1], r.origin[2]) ||
         !grid.covers(r.end[0], r.end[1], r.end[2]))
         return ++stats.dropped_grid, false;
     return true;
+}
+
+/** Of a beam that met nothing up to max_range or to its own end: that part; empty if it did, or is
+ * of no use. */
+std::optional<Ray> freePart(const Ray& r, const InsertionParameters& p) {
+    if (p.beyond_max_range != BeyondMaxRange::free || !isFinite(r.origin) || !isFinite(r.end))
+        return std::nullopt;
+    const double length = lengthOf(r);
+    if (p.takesLength(length)) return r.hit ? std::nullopt : std::optional(r);
+    if (length < p.max_range) return std::nullopt;
+    return Ray{r.origin, along(r, p.max_range / length), false};
 }
 
 /** Keys relative to the anchor have room for 2^20 cells on each axis. */
@@ -67,13 +79,16 @@ class Sampler {
         corner_ = {a.x * grid.resolution(), a.y * grid.resolution(), a.z * grid.resolution()};
     }
     bool add(const Point& p, double distance) {
-        const CellIndex cell = grid_.cellAt(p[0], p[1], p[2]);
-        if (!taken_.insert(keyInScan(cell), 0).second) return false;
+        if (!take(p)) return false;
         samples_.x.push_back(static_cast<float>(p[0] - corner_[0]));
         samples_.y.push_back(static_cast<float>(p[1] - corner_[1]));
         samples_.z.push_back(static_cast<float>(p[2] - corner_[2]));
         samples_.distance.push_back(static_cast<float>(distance));
         return true;
+    }
+    /** Takes the point's cell; false if it was taken. */
+    bool take(const Point& p) {
+        return taken_.insert(keyInScan(grid_.cellAt(p[0], p[1], p[2])), 0).second;
     }
 
  private:
@@ -106,27 +121,34 @@ void Samples::clear() {
     occupied = 0;
 }
 
-std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParameters& p,
-                              const BlockGrid& grid, KeyTable& taken, Samples& samples,
-                              InsertionStats& stats) {
+KeptRays takeHits(const std::vector<Ray>& rays, const InsertionParameters& p, const BlockGrid& grid,
+                  KeyTable& taken, Samples& samples, InsertionStats& stats) {
     samples.clear();
     taken.clear();
-    std::vector<KeptRay> kept;
-    std::optional<Sampler> sampler;
+    KeptRays kept;
+    KeyTable free_ends;
+    std::optional<Sampler> sampler, free_sampler;
     uint64_t number = 0;
     for (const Ray& r : rays) {
-        if (!isUsable(r, p, grid, stats)) continue;
+        const std::optional<Ray> free = freePart(r, p);
+        if (!isUsable(free ? *free : r, p, grid, stats)) continue;
         if (!sampler) {  // the first usable ray places the local frame
             const CellIndex b =
                 BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
             samples.anchor = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
             sampler.emplace(grid, taken, samples);
+            free_sampler.emplace(grid, free_ends, samples);
         }
-        if (!isNear(samples.anchor, r, grid)) {
+        if (!isNear(samples.anchor, free ? *free : r, grid)) {
             ++stats.dropped_grid;
             continue;
         }
-        if (sampler->add(r.end, lengthOf(r))) kept.push_back({&r, number});
+        if (free) {
+            ++stats.free_beams;
+            if (free_sampler->take(free->end)) kept.free.push_back(*free);
+            continue;
+        }
+        if (sampler->add(r.end, lengthOf(r))) kept.hits.push_back({&r, number});
         ++number;
     }
     stats.points += number;
@@ -143,7 +165,11 @@ void takeSamples(const std::vector<Ray>& rays, const InsertionParameters& parame
 
     Sampler sampler(grid, taken, samples);
     const uint64_t scan_key = mix(mix(parameters.seed) + scan_index);
-    for (const KeptRay& k : kept) addFreeAlong(k, scan_key, parameters.sampling_distance, sampler);
+    for (const KeptRay& k : kept.hits)
+        addFreeAlong(k, scan_key, parameters.sampling_distance, sampler);
+    uint64_t number = rays.size();
+    for (const Ray& r : kept.free)
+        addFreeAlong({&r, number++}, scan_key, parameters.sampling_distance, sampler);
 
     stats.samples_free += samples.size() - samples.occupied;
 }

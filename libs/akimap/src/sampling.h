@@ -25,16 +25,20 @@ struct KeptRay {
     const Ray* ray;
     uint64_t number;
 };
+struct KeptRays {
+    std::vector<KeptRay> hits;
+    std::vector<Ray> free;  ///< those that met nothing, cut off at max_range, at most one a cell
+};
 
 /** The first half of takeSamples(): only the hits, at most one a cell.
  * \return the ray of each */
-std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParameters& parameters,
-                              const BlockGrid& grid, KeyTable& taken, Samples& samples,
-                              InsertionStats& stats);
+KeptRays takeHits(const std::vector<Ray>& rays, const InsertionParameters& parameters,
+                  const BlockGrid& grid, KeyTable& taken, Samples& samples, InsertionStats& stats);
 
 /** Room 2: rays -> samples. One occupied sample per hit cell, one free sample at a random place
  * in every sampling distance along each ray whose hit was taken, and one at its origin; at most
- * one sample a cell, a hit before a miss, the earlier before the later.
+ * one sample a cell, a hit before a miss, the earlier before the later. Rays that met nothing come
+ * last.
  * \param taken scratch
  * \param scan_index with the seed it determines the random places
  * \param stats its drop and sample counters are increased */

@@ -30,7 +30,8 @@ struct InsertionStats {
     uint64_t points = 0;             ///< returns used: finite and within the ranges
     uint64_t dropped_nonfinite = 0;  ///< a coordinate of the end or the origin is NaN or infinite
     uint64_t dropped_zero = 0;       ///< zero-length rays
-    uint64_t dropped_range = 0;      ///< nearer than min_range or farther than max_range
+    uint64_t free_beams = 0;         ///< met nothing up to max_range and carved free space
+    uint64_t dropped_range = 0;      ///< nearer than min_range, or beyond max_range and not free
     uint64_t dropped_grid = 0;       ///< outside the cells that can be addressed
     uint64_t dropped_poses =
         0;  ///< scans, or packets of one, taken when the robot's pose was unknown
@@ -118,8 +119,8 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     }
     /** Centres [m] of the cells whose occupancy is above the threshold. */
     [[nodiscard]] std::vector<mrpt::math::TPoint3Df> occupiedCells(double threshold = 0.5) const;
-    /** Where the surfaces are [m]: a point for each occupied cell, off its centre where the evidence
-     * in and around it is. What matching and the nearest-neighbour search see. */
+    /** Where the surfaces are [m]: a point for each occupied cell, off its centre where the
+     * evidence in and around it is. What matching and the nearest-neighbour search see. */
     [[nodiscard]] std::vector<mrpt::math::TPoint3Df> surfacePoints() const;
     [[nodiscard]] std::size_t cellCount() const { return grid_.countCells(); }
     [[nodiscard]] const BlockGrid& grid() const { return grid_; }

@@ -16,6 +16,12 @@ enum class Estimator : uint8_t {
     surface = 1  ///< surfaces fitted to the hits, free space around the rays
 };
 
+/** What a beam says that met nothing within max_range: a return farther away, or none at all. */
+enum class BeyondMaxRange : uint8_t {
+    ignore = 0,  ///< nothing
+    free = 1     ///< free space along it up to max_range; see raysOf() for who knows such beams
+};
+
 /** How the kernel of a sample gets its bandwidth matrix H (paper, Sec. IV-C). */
 enum class Bandwidth : uint8_t {
     adaptive = 0,    ///< H = s^2 * covariance, the scale s by Eq. (7): the paper's method
@@ -47,11 +53,14 @@ enum class CovarianceCenter : uint8_t {
 struct InsertionParameters {
     double min_range = 0;    ///< [m] >= 0. Returns nearer to their own ray origin are dropped
     double max_range = 8.0;  ///< [m] > min_range. Returns farther away are dropped
+    BeyondMaxRange beyond_max_range = BeyondMaxRange::ignore;
     Estimator estimator = Estimator::surface;
     double surface_range =
         0.5;  ///< [m] > 0. Neighbours of a hit are sought no farther (estimator = surface)
     double free_radius = 0.25;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
-                               ///< (estimator = surface)
+                                ///< (estimator = surface)
+    double max_evidence = 100;  ///< [-] 0 or >= 1. alpha + beta of a cell is scaled down to it, so
+                                ///< that old scans fade; 0: never (estimator = surface)
     double sampling_distance = 0.5;  ///< [m] > 0. One free sample in each such stretch of a ray
     double search_range_origin = 0;  ///< [m] >= 0. Search range at the sensor; 0: one cell
     double search_range_max = 0.5;   ///< [m] > 0. Search range at max_range; linear in between
@@ -114,7 +123,8 @@ struct LoadableOptions : public Parameters, public mrpt::config::CLoadableOption
     void loadFromConfigFile(const mrpt::config::CConfigFileBase& c, const std::string& s) override;
     void saveToConfigFile(mrpt::config::CConfigFileBase& c, const std::string& s) const override;
     void writeToStream(mrpt::serialization::CArchive& out) const;
-    void readFromStream(mrpt::serialization::CArchive& in);
+    /** \param version of the map's format; options that it lacks keep their present values */
+    void readFromStream(mrpt::serialization::CArchive& in, uint8_t version);
 };
 
 using TInsertionOptions = LoadableOptions<InsertionParameters>;    ///< `<prefix>_insertOpts`

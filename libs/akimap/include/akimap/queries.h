@@ -63,10 +63,14 @@ struct SweptPath {
 /** Which way the surface faces at a cell. */
 struct SurfaceNormal {
     mrpt::math::TVector3D direction;  ///< of unit length, towards the freer side
-    double confidence;  ///< in [0, 1]: 1 - the thickness across over the smaller extent along
+    /** In [0, 1]: 1 - sqrt(v1 / v2), the thickness across over the smaller extent along, of the
+     * variances v1 <= v2 <= v3 below. 1: a wall one cell thick; 0.65: two; 0: a clump of cells.
+     * It tells shape only; how often a cell was seen is in its CellState. */
+    double confidence;
 };
-/** By the principal axes of the evidence for occupied within two cells of the one that holds the
- * point; empty where there is too little of it. */
+/** By the principal axes of the occupied cells within two cells of the one that holds the point:
+ * the eigenvectors and eigenvalues v of their centres' covariance, weighted by occupancy; empty
+ * where there are too few of them. */
 [[nodiscard]] std::optional<SurfaceNormal> surfaceNormal(const AkiMap& map, double x, double y,
                                                          double z);
 
