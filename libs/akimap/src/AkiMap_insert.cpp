@@ -3,6 +3,7 @@
 #include <akimap/AkiMap.h>
 #include <akimap/rays.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -88,11 +89,14 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     stats.seconds_sampling += watch.lap();
     fitSurfels(kept, s.samples, p, resolution, e.fit, e.surfels, s.H);
     stats.seconds_bandwidth += watch.lap();
-    stats.samples_free += markFree(kept, e.surfels, radius, resolution, e.free);
-    e.free.spread(radius);
-    BlockGrid surface(resolution);
-    scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);
-    const bool changed = addEvidence(surface, e.free, radius, grid, e);
+    const CellIndex& anchor = s.samples.anchor;
+    tbb::parallel_invoke(
+        [&] {
+            stats.samples_free += markFree(kept, e.surfels, radius, resolution, anchor, e.free);
+            e.free.spread(radius);
+        },
+        [&] { groupKernels(s.samples, s.H, resolution, s.scatter, KernelWeight::one); });
+    const bool changed = addEvidence(anchor, s.scatter, e.free, radius, grid, e);
     stats.seconds_update += watch.lap();
     return changed;
 }

@@ -176,6 +176,7 @@ char facesReached(const FreeSpace::Plane& plane, int axis, int limit) {
 
 void FreeSpace::clear() {
     index_.clear(), keys_.clear(), planes_.clear();
+    last_key_ = kNoKey;
 }
 
 uint32_t FreeSpace::numberOf(uint64_t key) {

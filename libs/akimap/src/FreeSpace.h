@@ -27,7 +27,7 @@ class FreeSpace {
     /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kUnit] */
     void mark(const CellIndex& cell, uint16_t power) {
         const uint64_t key = packKey(BlockGrid::blockOf(cell));
-        if (key != last_key_ || keys_.empty()) last_key_ = key, last_ = numberOf(key);
+        if (key != last_key_) last_key_ = key, last_ = numberOf(key);
         uint16_t& here = planes_[last_][static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
         here = std::min(here, power);
     }
@@ -44,6 +44,7 @@ class FreeSpace {
     [[nodiscard]] uint32_t find(uint64_t key) const { return index_.find(key); }
 
  private:
+    static constexpr uint64_t kNoKey = UINT64_MAX;
     uint32_t numberOf(uint64_t key);
     void growAlong(int axis, double radius);
     void spreadAlong(int axis, int reach);
@@ -51,7 +52,7 @@ class FreeSpace {
     KeyTable index_;
     std::vector<uint64_t> keys_;
     std::vector<Plane> planes_, spread_;
-    uint64_t last_key_ = 0;
+    uint64_t last_key_ = kNoKey;
     uint32_t last_ = 0;
 };
 

@@ -135,32 +135,45 @@ AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Tou
 /** \return whether a kernel reached the centre of any of its cells */
 AKIMAP_MULTIVERSION
 bool addToBlock(const ScatterScratch& s, const Touch* first, const Touch* last,
-                std::size_t occupied, const CellIndex& corner, Block& block) {
+                std::size_t occupied, const CellIndex& corner, float* alpha, float* beta) {
     constexpr int kAhead = 4;
     Rows rows;
     RowMask reached{};  // not zero where 1 - r^2 > 0 was met
     for (const Touch* t = first; t != last; ++t) {
         if (t + kAhead < last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
-        addKernel(s.kernels[t->kernel], corner, *t,
-                  t->kernel < occupied ? block.alpha.data() : block.beta.data(), rows, reached);
+        addKernel(s.kernels[t->kernel], corner, *t, t->kernel < occupied ? alpha : beta, rows,
+                  reached);
     }
     return bitsOf(reached != 0) != 0;
 }
+
+}  // namespace
 
 BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
     const CellIndex b = unpackKey(key), a = BlockGrid::blockOf(anchor);
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-}  // namespace
-
-bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             ScatterScratch& s, KernelWeight weight) {
-    makeKernels(samples, H, grid.resolution(), s);
+void groupKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
+                  ScatterScratch& s, KernelWeight weight) {
+    makeKernels(samples, H, resolution, s);
     if (weight == KernelWeight::one)
         for (Kernel& k : s.kernels) k.weight = 1;
     listTouched(s);
     groupByBlock(s);
+}
+
+bool addKernels(const ScatterScratch& s, std::size_t b, std::size_t occupied, float* alpha,
+                float* beta) {
+    const CellIndex c = unpackKey(s.keys[b]);
+    const Touch* touches = s.touches.data();
+    return addToBlock(s, touches + s.start[b], touches + s.start[b + 1], occupied,
+                      {c.x * kSide, c.y * kSide, c.z * kSide}, alpha, beta);
+}
+
+bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
+             ScatterScratch& s) {
+    groupKernels(samples, H, grid.resolution(), s, KernelWeight::density);
 
     // All that may run out of memory comes before the first sum is changed.
     const std::size_t n = s.keys.size();
@@ -177,11 +190,8 @@ bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid
     });
 
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        const CellIndex c = unpackKey(s.keys[b]);
-        const Touch* touches = s.touches.data();
         s.reached[b] =
-            addToBlock(s, touches + s.start[b], touches + s.start[b + 1], samples.occupied,
-                       {c.x * kSide, c.y * kSide, c.z * kSide}, *s.blocks[b]);
+            addKernels(s, b, samples.occupied, s.blocks[b]->alpha.data(), s.blocks[b]->beta.data());
     });
 
     bool changed = false;
