@@ -48,9 +48,22 @@ AKIMAP_INLINE BallMoments momentsIn(const PointList& points, float cx, float cy,
             sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
 }
 
-Bounds boxAround(float x, float y, float z, float r) {
-    return {{x - r, y - r, z - r}, {x + r, y + r, z + r}};
+Bounds boxOf(const SurfelScratch& s, uint32_t i, float r) {
+    return {{s.x[i] - r, s.y[i] - r, s.z[i] - r}, {s.x[i] + r, s.y[i] + r, s.z[i] + r}};
 }
+void include(const Bounds& other, Bounds& all) {
+    for (int a = 0; a < 3; a++) {
+        all.low[a] = std::min(all.low[a], other.low[a]);
+        all.high[a] = std::max(all.high[a], other.high[a]);
+    }
+}
+
+constexpr std::size_t kTogether = 8;  // hits that share a search
+
+/** What a search found: near all of some hits, and near one of them. */
+struct Neighbors {
+    PointList all, own;
+};
 
 Symmetric3 symmetric(const Eigen::Matrix3d& m) {
     return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
@@ -66,14 +79,40 @@ class Fitter {
           narrowest_(kNarrowest * resolution),
           widest_(widestSurfel(p, resolution)) {}
 
-    AKIMAP_INLINE BallMoments neighbors(float x, float y, float z, PointList& found) const {
-        for (double radius = std::min(kSmallest * resolution_, range_);;) {
+    /** Moments of the smallest ball around each of n hits that holds enough. The hits lie near each
+     * other and share a search for all of their balls. */
+    AKIMAP_INLINE void neighbors(const SurfelScratch& s, const uint32_t* hits, std::size_t n,
+                                 Neighbors& near, BallMoments* moments) const {
+        uint32_t pending = (1u << n) - 1;
+        for (double radius = std::min(kSmallest * resolution_, range_);;
+             radius = std::min(radius * kGrowth, range_)) {
             const auto r = static_cast<float>(radius);
-            points_.findPoints(boxAround(x, y, z, r), found);
-            const BallMoments m = momentsIn(found, x, y, z, r);
-            if (m.n >= kEnough || radius >= range_) return m;
-            radius = std::min(radius * kGrowth, range_);
+            Bounds around = boxOf(s, hits[__builtin_ctz(pending)], r);
+            for (uint32_t left = pending; left; left &= left - 1)
+                include(boxOf(s, hits[__builtin_ctz(left)], r), around);
+            points_.findPoints(around, near.all);
+            for (uint32_t left = pending; left; left &= left - 1) {
+                const int k = __builtin_ctz(left);
+                const uint32_t i = hits[k];
+                near.all.findPoints(boxOf(s, i, r), near.own);
+                moments[k] = momentsIn(near.own, s.x[i], s.y[i], s.z[i], r);
+                if (moments[k].n >= kEnough) pending &= ~(1u << k);
+            }
+            if (!pending || radius >= range_) return;
         }
+    }
+
+    /** How many hits from this place on, at most kTogether, lie near the first. */
+    [[nodiscard]] std::size_t together(const SurfelScratch& s, const uint32_t* hits,
+                                       std::size_t most) const {
+        const Bounds near = boxOf(s, hits[0], static_cast<float>(2 * kSmallest * resolution_));
+        std::size_t n = 1;
+        const auto isNear = [&](uint32_t i) {
+            return s.x[i] >= near.low[0] && s.x[i] <= near.high[0] && s.y[i] >= near.low[1] &&
+                   s.y[i] <= near.high[1] && s.z[i] >= near.low[2] && s.z[i] <= near.high[2];
+        };
+        while (n < std::min(most, kTogether) && isNear(hits[n])) n++;
+        return n;
     }
 
     /** \param towards_sensor of unit length
@@ -148,15 +187,20 @@ Eigen::Vector3d towardsSensor(const Ray& r) {
 AKIMAP_MULTIVERSION
 void fitRange(const Fitter& fitter, const std::vector<KeptRay>& rays, const SurfelScratch& s,
               std::size_t begin, std::size_t end, Samples& hits, Surfel* surfels, Symmetric3* H) {
-    thread_local PointList found;
-    for (std::size_t place = begin; place < end; place++) {  // along the curve, for the cache
-        const std::size_t i = s.rows.order()[place];
-        const BallMoments m = fitter.neighbors(s.x[i], s.y[i], s.z[i], found);
-        Eigen::Vector3d shift;
-        fitter.fit(m, towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
-        hits.x[i] += static_cast<float>(shift[0]);
-        hits.y[i] += static_cast<float>(shift[1]);
-        hits.z[i] += static_cast<float>(shift[2]);
+    thread_local Neighbors near;
+    BallMoments moments[kTogether];
+    for (std::size_t place = begin, n; place < end; place += n) {  // along the curve
+        const uint32_t* group = &s.rows.order()[place];
+        n = fitter.together(s, group, end - place);
+        fitter.neighbors(s, group, n, near, moments);
+        for (std::size_t k = 0; k < n; k++) {
+            const uint32_t i = group[k];
+            Eigen::Vector3d shift;
+            fitter.fit(moments[k], towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
+            hits.x[i] += static_cast<float>(shift[0]);
+            hits.y[i] += static_cast<float>(shift[1]);
+            hits.z[i] += static_cast<float>(shift[2]);
+        }
     }
 }
 
