@@ -95,8 +95,16 @@ struct Rows {
  * block's corner keeps its digits. */
 constexpr DoubleRow kLow = {0, 1, 2, 3}, kHigh = {4, 5, 6, 7};
 
+/** From each place on the row to the nearest of its cells. */
+AKIMAP_INLINE DoubleRow toNearestCell(DoubleRow x0) {
+    using Whole = int32_t __attribute__((vector_size(16)));
+    DoubleRow cell = x0 > 0.0 ? x0 + 0.5 : DoubleRow{};
+    cell = cell < 7.0 ? cell : DoubleRow{} + 7.0;
+    return __builtin_convertvector(__builtin_convertvector(cell, Whole), DoubleRow) - x0;
+}
+
 /** Cuts a kernel into the rows of the block's layers [begin, end), eight at a time.
- * \return one bit a row: whether the kernel's infinite cylinder along x reaches it */
+ * \return one bit a row: whether the kernel reaches a cell of it */
 AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int begin, int end,
                                    Rows& rows) {
     const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
@@ -107,10 +115,12 @@ AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int
         const double y0 = cy + k.y_z * dz, x_layer = cx + k.x_z * dz;
         const DoubleRow ey_low = kLow - y0, ey_high = kHigh - y0;
         const Row ey = joined(ey_low, ey_high), left = left_z - ey * ey * k.iy;
+        const DoubleRow x0_low = x_layer + k.x_y * ey_low, x0_high = x_layer + k.x_y * ey_high;
         storeRow(rows.left + z * kSide, left);
-        storeRow(rows.x0 + z * kSide, x_layer + k.x_y * ey_low);
-        storeRow(rows.x0 + z * kSide + 4, x_layer + k.x_y * ey_high);
-        reached |= static_cast<uint64_t>(bitsOf(left > 0.0f)) << (z * kSide);
+        storeRow(rows.x0 + z * kSide, x0_low);
+        storeRow(rows.x0 + z * kSide + 4, x0_high);
+        const Row ex = joined(toNearestCell(x0_low), toNearestCell(x0_high));
+        reached |= static_cast<uint64_t>(bitsOf(left - ex * ex * k.ix > 0.0f)) << (z * kSide);
     }
     return reached;
 }
@@ -119,14 +129,14 @@ AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int
  * rows, then a single loop over those it reaches, as nested loops of two or three rounds each are
  * mispredicted most of the time. */
 AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Touch& touch,
-                             float* plane, Rows& rows, RowMask& reached) {
+                             float* plane, Rows& rows, uint64_t& reached) {
     uint64_t bits = cutIntoRows(k, corner, touch.begin, touch.end, rows);
+    reached |= bits;
     for (; bits; bits &= bits - 1) {
         const int r = __builtin_ctzll(bits);
         const Row ex = joined(kLow - rows.x0[r], kHigh - rows.x0[r]);
         const Row g_signed = rows.left[r] - ex * ex * k.ix;  // 1 - r^2: negative outside
         const Row g = keep(g_signed > 0.0f, g_signed);
-        reached |= (RowMask)g;
         float* cells = plane + r * kSide;
         storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * k.weight);
     }
@@ -138,13 +148,13 @@ bool addToBlock(const ScatterScratch& s, const Touch* first, const Touch* last,
                 std::size_t occupied, const CellIndex& corner, float* alpha, float* beta) {
     constexpr int kAhead = 4;
     Rows rows;
-    RowMask reached{};  // not zero where 1 - r^2 > 0 was met
+    uint64_t reached = 0;  // rows
     for (const Touch* t = first; t != last; ++t) {
         if (t + kAhead < last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
         addKernel(s.kernels[t->kernel], corner, *t, t->kernel < occupied ? alpha : beta, rows,
                   reached);
     }
-    return bitsOf(reached != 0) != 0;
+    return reached != 0;
 }
 
 }  // namespace
