@@ -92,7 +92,8 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     const CellIndex& anchor = s.samples.anchor;
     tbb::parallel_invoke(
         [&] {
-            stats.samples_free += markFree(kept, e.surfels, radius, resolution, anchor, e.free);
+            stats.samples_free +=
+                markFree(kept, e.surfels, radius, resolution, anchor, e.free_parts, e.free);
             e.free.spread(radius);
         },
         [&] { groupKernels(s.samples, s.H, resolution, s.scatter, KernelWeight::one); });

@@ -19,6 +19,7 @@ struct EvidenceScratch {
     SurfelScratch fit;
     std::vector<Surfel> surfels;
     FreeSpace free;
+    std::vector<FreeSpace> free_parts;  // one a thread
     std::vector<EvidenceBlock> touched;
     std::vector<Block*> blocks;
     std::vector<std::shared_ptr<Block>> fresh;  // touched blocks that the grid does not have yet

@@ -3,6 +3,11 @@
 // Compiled without fused multiply-adds (see CMakeLists.txt): a rounded place decides on a cell.
 #include "marks.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "simd.h"
@@ -74,10 +79,22 @@ std::size_t markRange(const KeptRay* rays, const Surfel* surfels, std::size_t n,
 }  // namespace
 
 std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
-                     double radius, double resolution, const CellIndex& anchor, FreeSpace& free) {
-    free.clear();
-    return markRange(rays.data(), surfels.data(), rays.size(), radius, 1 / resolution, anchor,
-                     free);
+                     double radius, double resolution, const CellIndex& anchor,
+                     std::vector<FreeSpace>& parts, FreeSpace& free) {
+    constexpr std::size_t kFewest = 1000;  // rays of a part
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t n = std::clamp(rays.size() / kFewest, std::size_t{1}, threads);
+    parts.resize(std::max(parts.size(), n));
+    std::atomic<std::size_t> balls{0};
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t p) {
+        const std::size_t begin = rays.size() * p / n, end = rays.size() * (p + 1) / n;
+        FreeSpace& part = p == 0 ? free : parts[p];
+        part.clear();
+        balls += markRange(rays.data() + begin, surfels.data() + begin, end - begin, radius,
+                           1 / resolution, anchor, part);
+    });
+    for (std::size_t p = 1; p < n; p++) free.merge(parts[p]);
+    return balls;
 }
 
 }  // namespace akimap

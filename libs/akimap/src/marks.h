@@ -8,11 +8,12 @@
 namespace akimap {
 
 /** Marks the free space along each hit's ray: balls as wide as the gaps between rays, and narrower
- * where the hit's surface is near, whose plane they hardly cross.
- * \param radius R [cells]
- * \param anchor of the samples: the blocks of `free` are relative to it
- * \return number of balls */
+ * where the hit's surface is near, whose plane they hardly cross. Each thread marks some of the
+ * rays; the least of their powers does not depend on which. Runs in the caller's TBB arena. \param
+ * radius R [cells] \param anchor of the samples: the blocks of `free` are relative to it \param
+ * parts scratch \return number of balls */
 std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
-                     double radius, double resolution, const CellIndex& anchor, FreeSpace& free);
+                     double radius, double resolution, const CellIndex& anchor,
+                     std::vector<FreeSpace>& parts, FreeSpace& free);
 
 }  // namespace akimap

@@ -36,10 +36,9 @@ Point along(const Ray& r, double fraction) {
     return p;
 }
 
-bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
+bool isUsable(const Ray& r, double length, const InsertionParameters& p, const BlockGrid& grid,
               InsertionStats& stats) {
     if (!isFinite(r.origin) || !isFinite(r.end)) return ++stats.dropped_nonfinite, false;
-    const double length = lengthOf(r);
     if (length == 0) return ++stats.dropped_zero, false;
     if (!p.takesLength(length)) return ++stats.dropped_range, false;
     if (!grid.covers(r.origin[0], r.origin[1], r.origin[2]) ||
@@ -115,7 +114,8 @@ std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParam
     std::optional<Sampler> sampler;
     uint64_t number = 0;
     for (const Ray& r : rays) {
-        if (!isUsable(r, p, grid, stats)) continue;
+        const double length = lengthOf(r);
+        if (!isUsable(r, length, p, grid, stats)) continue;
         if (!sampler) {  // the first usable ray places the local frame
             const CellIndex b =
                 BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
@@ -126,7 +126,7 @@ std::vector<KeptRay> takeHits(const std::vector<Ray>& rays, const InsertionParam
             ++stats.dropped_grid;
             continue;
         }
-        if (sampler->add(r.end, lengthOf(r))) kept.push_back({&r, number});
+        if (sampler->add(r.end, length)) kept.push_back({&r, number});
         ++number;
     }
     stats.points += number;
