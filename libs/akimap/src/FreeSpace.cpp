@@ -28,15 +28,15 @@ uint64_t keyBeside(uint64_t key, int axis, int step) {
 
 void FreeSpace::clear() {
     index_.clear(), keys_.clear(), planes_.clear();
-    last_key_ = kNoKey;
+    last_cell_ = kNowhere;
 }
 
 uint32_t FreeSpace::numberOf(uint64_t key) {
-    const auto [number, added] = index_.insert(key, static_cast<uint32_t>(keys_.size()));
-    if (!added) return number;
+    const uint32_t known = index_.find(key);
+    if (known != KeyTable::kNone) return known;
     keys_.push_back(key);
     planes_.push_back(kNoBlock);
-    return number;
+    return index_.insert(key, static_cast<uint32_t>(keys_.size() - 1)).first;
 }
 
 void FreeSpace::merge(const FreeSpace& other) {

@@ -26,8 +26,8 @@ class FreeSpace {
     void clear();
     /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kUnit] */
     void mark(const CellIndex& cell, uint16_t power) {
-        const uint64_t key = packKey(BlockGrid::blockOf(cell));
-        if (key != last_key_) last_key_ = key, last_ = numberOf(key);
+        if (((cell.x ^ last_cell_.x) | (cell.y ^ last_cell_.y) | (cell.z ^ last_cell_.z)) >> 3)
+            last_ = numberOf(packKey(BlockGrid::blockOf(cell))), last_cell_ = cell;
         uint16_t& here = planes_[last_][static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
         here = std::min(here, power);
     }
@@ -44,7 +44,7 @@ class FreeSpace {
     [[nodiscard]] uint32_t find(uint64_t key) const { return index_.find(key); }
 
  private:
-    static constexpr uint64_t kNoKey = UINT64_MAX;
+    static constexpr CellIndex kNowhere = {INT32_MIN, 0, 0};
     uint32_t numberOf(uint64_t key);
     void growAlong(int axis, double radius);
     void spreadAlong(int axis, int reach);
@@ -52,7 +52,7 @@ class FreeSpace {
     KeyTable index_;
     std::vector<uint64_t> keys_;
     std::vector<Plane> planes_, spread_;
-    uint64_t last_key_ = kNoKey;
+    CellIndex last_cell_ = kNowhere;  // the last that was marked in another block than before
     uint32_t last_ = 0;
 };
 

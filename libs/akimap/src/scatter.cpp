@@ -95,16 +95,16 @@ struct Rows {
  * block's corner keeps its digits. */
 constexpr DoubleRow kLow = {0, 1, 2, 3}, kHigh = {4, 5, 6, 7};
 
-/** From each place on the row to the nearest of its cells. */
-AKIMAP_INLINE DoubleRow toNearestCell(DoubleRow x0) {
-    using Whole = int32_t __attribute__((vector_size(16)));
-    DoubleRow cell = x0 > 0.0 ? x0 + 0.5 : DoubleRow{};
-    cell = cell < 7.0 ? cell : DoubleRow{} + 7.0;
-    return __builtin_convertvector(__builtin_convertvector(cell, Whole), DoubleRow) - x0;
+/** How far each place lies from the cells of its row; no more than that, rounding included. */
+AKIMAP_INLINE Row outsideRow(Row x0) {
+    constexpr float kMiddle = 3.5f, kMargin = 0.01f;
+    const Row from_middle = x0 - kMiddle;
+    const Row outside = (Row)((RowMask)from_middle & INT32_MAX) - (kMiddle + kMargin);
+    return keep(outside > 0.0f, outside);
 }
 
 /** Cuts a kernel into the rows of the block's layers [begin, end), eight at a time.
- * \return one bit a row: whether the kernel reaches a cell of it */
+ * \return one bit a row: whether the kernel may reach a cell of it */
 AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int begin, int end,
                                    Rows& rows) {
     const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
@@ -119,7 +119,7 @@ AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int
         storeRow(rows.left + z * kSide, left);
         storeRow(rows.x0 + z * kSide, x0_low);
         storeRow(rows.x0 + z * kSide + 4, x0_high);
-        const Row ex = joined(toNearestCell(x0_low), toNearestCell(x0_high));
+        const Row ex = outsideRow(joined(x0_low, x0_high));
         reached |= static_cast<uint64_t>(bitsOf(left - ex * ex * k.ix > 0.0f)) << (z * kSide);
     }
     return reached;
@@ -129,14 +129,14 @@ AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int
  * rows, then a single loop over those it reaches, as nested loops of two or three rounds each are
  * mispredicted most of the time. */
 AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Touch& touch,
-                             float* plane, Rows& rows, uint64_t& reached) {
+                             float* plane, Rows& rows, RowMask& reached) {
     uint64_t bits = cutIntoRows(k, corner, touch.begin, touch.end, rows);
-    reached |= bits;
     for (; bits; bits &= bits - 1) {
         const int r = __builtin_ctzll(bits);
         const Row ex = joined(kLow - rows.x0[r], kHigh - rows.x0[r]);
         const Row g_signed = rows.left[r] - ex * ex * k.ix;  // 1 - r^2: negative outside
         const Row g = keep(g_signed > 0.0f, g_signed);
+        reached |= (RowMask)g;
         float* cells = plane + r * kSide;
         storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * k.weight);
     }
@@ -148,13 +148,13 @@ bool addToBlock(const ScatterScratch& s, const Touch* first, const Touch* last,
                 std::size_t occupied, const CellIndex& corner, float* alpha, float* beta) {
     constexpr int kAhead = 4;
     Rows rows;
-    uint64_t reached = 0;  // rows
+    RowMask reached{};  // not zero where 1 - r^2 > 0 was met
     for (const Touch* t = first; t != last; ++t) {
         if (t + kAhead < last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
         addKernel(s.kernels[t->kernel], corner, *t, t->kernel < occupied ? alpha : beta, rows,
                   reached);
     }
-    return reached != 0;
+    return bitsOf(reached != 0) != 0;
 }
 
 }  // namespace
