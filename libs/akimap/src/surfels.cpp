@@ -7,12 +7,10 @@
 
 #include <Eigen/Dense>
 
+#include "ball_moments.h"
+
 namespace akimap {
 namespace {
-constexpr double kEnough = 10;        // neighbours, the hit included
-constexpr double kSmallest = 2.5;     // [cells] radius of the first ball
-constexpr double kGrowth = 1.3;       // from ball to ball
-constexpr double kTaper = 0.5;        // neighbours at the ball's surface weigh 1 - kTaper
 constexpr double kFewestOfPlane = 5;  // points
 constexpr double kFlat = 0.1;         // a plane's greatest ratio of its two lesser variances
 constexpr double kLine = 0.005;       // a line's greatest ratio of its two greater variances
@@ -24,47 +22,6 @@ constexpr double kWidth = 4;                      // [standard deviations] along
 constexpr double kNarrowest = 4;                  // [cells]
 constexpr double kAlone = 2;                      // [cells] where there are too few neighbours
 
-/** Weighted number and moments of the points in a ball, about its centre. */
-struct BallMoments {
-    double n = 0, w = 0, x = 0, y = 0, z = 0;
-    Symmetric3 m2;
-};
-
-AKIMAP_INLINE BallMoments momentsIn(const PointList& points, float cx, float cy, float cz,
-                                    float radius) {
-    Row n{}, w{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
-    constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
-    const float limit = radius * radius, taper = static_cast<float>(kTaper) / limit;
-    for (std::size_t i = 0; i < points.count; i += 8) {
-        const Row dx = loadRow(&points.x[i]) - cx, dy = loadRow(&points.y[i]) - cy,
-                  dz = loadRow(&points.z[i]) - cz, u = dx * dx + dy * dy + dz * dz;
-        const RowMask inside = (kLaneIndex < static_cast<int32_t>(points.count - i)) & (u <= limit);
-        const Row v = keep(inside, 1.0f - taper * u);
-        const Row vx = v * dx, vy = v * dy, vz = v * dz;
-        n += keep(inside, one), w += v, x += vx, y += vy, z += vz;
-        xx += vx * dx, xy += vx * dy, xz += vx * dz, yy += vy * dy, yz += vy * dz, zz += vz * dz;
-    }
-    return {sumOf(n), sumOf(w), sumOf(x),
-            sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
-}
-
-Bounds boxOf(const SurfelScratch& s, uint32_t i, float r) {
-    return {{s.x[i] - r, s.y[i] - r, s.z[i] - r}, {s.x[i] + r, s.y[i] + r, s.z[i] + r}};
-}
-void include(const Bounds& other, Bounds& all) {
-    for (int a = 0; a < 3; a++) {
-        all.low[a] = std::min(all.low[a], other.low[a]);
-        all.high[a] = std::max(all.high[a], other.high[a]);
-    }
-}
-
-constexpr std::size_t kTogether = 8;  // hits that share a search
-
-/** What a search found: near all of some hits, and near one of them. */
-struct Neighbors {
-    PointList all, own;
-};
-
 Symmetric3 symmetric(const Eigen::Matrix3d& m) {
     return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
@@ -72,48 +29,10 @@ Symmetric3 symmetric(const Eigen::Matrix3d& m) {
 /** Fits one hit after the other. */
 class Fitter {
  public:
-    Fitter(const NeighborRows& points, const InsertionParameters& p, double resolution)
-        : points_(points),
-          resolution_(resolution),
-          range_(std::max(p.surface_range, resolution)),
+    Fitter(const InsertionParameters& p, double resolution)
+        : resolution_(resolution),
           narrowest_(kNarrowest * resolution),
           widest_(widestSurfel(p, resolution)) {}
-
-    /** Moments of the smallest ball around each of n hits that holds enough. The hits lie near each
-     * other and share a search for all of their balls. */
-    AKIMAP_INLINE void neighbors(const SurfelScratch& s, const uint32_t* hits, std::size_t n,
-                                 Neighbors& near, BallMoments* moments) const {
-        uint32_t pending = (1u << n) - 1;
-        for (double radius = std::min(kSmallest * resolution_, range_);;
-             radius = std::min(radius * kGrowth, range_)) {
-            const auto r = static_cast<float>(radius);
-            Bounds around = boxOf(s, hits[__builtin_ctz(pending)], r);
-            for (uint32_t left = pending; left; left &= left - 1)
-                include(boxOf(s, hits[__builtin_ctz(left)], r), around);
-            points_.findPoints(around, near.all);
-            for (uint32_t left = pending; left; left &= left - 1) {
-                const int k = __builtin_ctz(left);
-                const uint32_t i = hits[k];
-                near.all.findPoints(boxOf(s, i, r), near.own);
-                moments[k] = momentsIn(near.own, s.x[i], s.y[i], s.z[i], r);
-                if (moments[k].n >= kEnough) pending &= ~(1u << k);
-            }
-            if (!pending || radius >= range_) return;
-        }
-    }
-
-    /** How many hits from this place on, at most kTogether, lie near the first. */
-    [[nodiscard]] std::size_t together(const SurfelScratch& s, const uint32_t* hits,
-                                       std::size_t most) const {
-        const Bounds near = boxOf(s, hits[0], static_cast<float>(2 * kSmallest * resolution_));
-        std::size_t n = 1;
-        const auto isNear = [&](uint32_t i) {
-            return s.x[i] >= near.low[0] && s.x[i] <= near.high[0] && s.y[i] >= near.low[1] &&
-                   s.y[i] <= near.high[1] && s.z[i] >= near.low[2] && s.z[i] <= near.high[2];
-        };
-        while (n < std::min(most, kTogether) && isNear(hits[n])) n++;
-        return n;
-    }
 
     /** \param towards_sensor of unit length
      * \param shift where the hit belongs, relative to itself [m] */
@@ -175,8 +94,7 @@ class Fitter {
         return v;
     }
 
-    const NeighborRows& points_;
-    double resolution_, range_, narrowest_, widest_;
+    double resolution_, narrowest_, widest_;
 };
 
 Eigen::Vector3d towardsSensor(const Ray& r) {
@@ -185,14 +103,15 @@ Eigen::Vector3d towardsSensor(const Ray& r) {
 }
 
 AKIMAP_MULTIVERSION
-void fitRange(const Fitter& fitter, const std::vector<KeptRay>& rays, const SurfelScratch& s,
-              std::size_t begin, std::size_t end, Samples& hits, Surfel* surfels, Symmetric3* H) {
+void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<KeptRay>& rays,
+              const SurfelScratch& s, std::size_t begin, std::size_t end, Samples& hits,
+              Surfel* surfels, Symmetric3* H) {
     thread_local Neighbors near;
     BallMoments moments[kTogether];
     for (std::size_t place = begin, n; place < end; place += n) {  // along the curve
         const uint32_t* group = &s.rows.order()[place];
-        n = fitter.together(s, group, end - place);
-        fitter.neighbors(s, group, n, near, moments);
+        n = search.together(group, end - place);
+        search.moments(group, n, near, moments);
         for (std::size_t k = 0; k < n; k++) {
             const uint32_t i = group[k];
             Eigen::Vector3d shift;
@@ -218,9 +137,10 @@ void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits, const Insertion
     scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move
     scratch.rows.build(scratch.x.data(), scratch.y.data(), scratch.z.data(), hits.size(),
                        resolution);
-    const Fitter fitter(scratch.rows, p, resolution);
+    const Fitter fitter(p, resolution);
+    const BallSearch search(scratch, std::max(p.surface_range, resolution), resolution);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hits.size(), 64), [&](const auto& r) {
-        fitRange(fitter, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
+        fitRange(fitter, search, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
     });
 }
 
