@@ -3,6 +3,7 @@
 #include <akimap/AkiMap.h>
 #include <akimap/rays.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -89,12 +90,16 @@ bool insertSurfaces(const std::vector<Ray>& rays, const InsertionParameters& p, 
     stats.seconds_sampling += watch.lap();
     fitSurfels(kept.hits, s.samples, p, resolution, e.fit, e.surfels, s.H);
     stats.seconds_bandwidth += watch.lap();
-    stats.samples_free += markFree(kept.hits, e.surfels, radius, resolution, e.free);
-    stats.samples_free += markFreeBeams(kept.free, radius, resolution, e.free);
-    e.free.spread(radius);
-    BlockGrid surface(resolution);
-    scatter(s.samples, s.H, surface, s.scatter, KernelWeight::one);
-    const bool changed = addEvidence(surface, e.free, radius, p.max_evidence, grid, e);
+    const CellIndex& anchor = s.samples.anchor;
+    tbb::parallel_invoke(
+        [&] {
+            stats.samples_free +=
+                markFree(kept.hits, e.surfels, radius, resolution, anchor, e.free_parts, e.free);
+            stats.samples_free += markFreeBeams(kept.free, radius, resolution, anchor, e.free);
+            e.free.spread(radius);
+        },
+        [&] { groupKernels(s.samples, s.H, resolution, s.scatter, KernelWeight::one); });
+    const bool changed = addEvidence(anchor, s.scatter, e.free, radius, p.max_evidence, grid, e);
     stats.seconds_update += watch.lap();
     return changed;
 }

@@ -34,11 +34,6 @@ std::size_t BlockGrid::memoryBytes() const {
            blocks_.size() * sizeof(Block);
 }
 
-const Block* BlockGrid::find(const BlockIndex& b) const {
-    const uint32_t place = index_.find(packKey(b));
-    return place == KeyTable::kNone ? nullptr : blocks_[place].block.get();
-}
-
 Block* BlockGrid::own(const BlockIndex& b) {
     const uint32_t place = index_.find(packKey(b));
     if (place == KeyTable::kNone) return nullptr;

@@ -4,6 +4,7 @@
 
 #include <akimap/BlockGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -20,15 +21,18 @@ class FreeSpace {
     static constexpr int kMaxRadius = Block::kSide;  ///< [cells] R is at most this
     static constexpr int kUnit = 64;                 ///< power distances are whole: 1/64 cell^2
     static constexpr uint16_t kFar = 0x3fff;         ///< more than any within reach
-    using Plane = std::array<uint16_t, Block::kCells>;
+    struct alignas(32) Plane : std::array<uint16_t, Block::kCells> {};
 
     void clear();
     /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kUnit] */
     void mark(const CellIndex& cell, uint16_t power) {
-        uint16_t& here =
-            planeOf(BlockGrid::blockOf(cell))[static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
-        if (power < here) here = power;
+        if (((cell.x ^ last_cell_.x) | (cell.y ^ last_cell_.y) | (cell.z ^ last_cell_.z)) >> 3)
+            last_ = numberOf(packKey(BlockGrid::blockOf(cell))), last_cell_ = cell;
+        uint16_t& here = planes_[last_][static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
+        here = std::min(here, power);
     }
+    /** Takes over the marks of another. */
+    void merge(const FreeSpace& other);
     /** \param radius R [cells], in (0, kMaxRadius]. The same for any number of threads; runs in the
      * caller's TBB arena. */
     void spread(double radius);
@@ -36,21 +40,19 @@ class FreeSpace {
     /** Blocks that a ball may reach, in order of first touch, and their power distances. */
     [[nodiscard]] const std::vector<uint64_t>& keys() const { return keys_; }
     [[nodiscard]] const Plane& plane(std::size_t i) const { return planes_[i]; }
+    /** Place of a block in keys(), KeyTable::kNone if it is not among them. */
+    [[nodiscard]] uint32_t find(uint64_t key) const { return index_.find(key); }
 
  private:
-    Plane& planeOf(const BlockGrid::BlockIndex& b) {
-        const uint64_t key = packKey(b);
-        if (key != last_key_ || keys_.empty()) last_key_ = key, last_ = numberOf(key);
-        return planes_[last_];
-    }
+    static constexpr CellIndex kNowhere = {INT32_MIN, 0, 0};
     uint32_t numberOf(uint64_t key);
     void growAlong(int axis, double radius);
-    void spreadAlong(int axis, int reach, const std::vector<uint16_t>& cost);
+    void spreadAlong(int axis, int reach);
 
     KeyTable index_;
     std::vector<uint64_t> keys_;
     std::vector<Plane> planes_, spread_;
-    uint64_t last_key_ = 0;
+    CellIndex last_cell_ = kNowhere;  // the last that was marked in another block than before
     uint32_t last_ = 0;
 };
 

@@ -103,15 +103,14 @@ AKIMAP_INLINE RowMask between(const float* low, const float* high, const Bounds&
     return (loadRow(low) <= box.high[axis]) & (loadRow(high) >= box.low[axis]);
 }
 
-/** Without a branch for each point: they would be mispredicted. */
-AKIMAP_INLINE void NeighborRows::appendPoints(std::size_t row, const Bounds& box,
-                                              PointList& found) const {
-    const std::size_t i = row * kRow;
-    const Row px = loadRow(&axis_[0][i]), py = loadRow(&axis_[1][i]), pz = loadRow(&axis_[2][i]);
-    const RowMask inside = (px >= box.low[0]) & (px <= box.high[0]) & (py >= box.low[1]) &
+/** Appends those of a row of points that are in the box, without a branch for each: they would be
+ * mispredicted. \pre room for the whole row */
+AKIMAP_INLINE void appendInside(const float* x, const float* y, const float* z, RowMask valid,
+                                const Bounds& box, PointList& found) {
+    const Row px = loadRow(x), py = loadRow(y), pz = loadRow(z);
+    const RowMask inside = valid & (px >= box.low[0]) & (px <= box.high[0]) & (py >= box.low[1]) &
                            (py <= box.high[1]) & (pz >= box.low[2]) & (pz <= box.high[2]);
     const uint32_t bits = bitsOf(inside);
-    found.reserve(found.count + 2 * kRow);
     storeRow(&found.x[found.count], packed(px, bits));
     storeRow(&found.y[found.count], packed(py, bits));
     storeRow(&found.z[found.count], packed(pz, bits));
@@ -124,23 +123,37 @@ void NeighborRows::findPoints(const Bounds& box, PointList& found) const {
     found.count = 0;
     if (levels_.empty()) return;
     std::vector<uint32_t>&boxes = found.boxes, &inner = found.inner_boxes;
-    boxes.assign(1, 0);
+    boxes.resize(std::max(boxes.size(), kRow));
+    boxes[0] = 0;
+    std::size_t count = 1;
     for (std::size_t level = levels_.size(); level-- > 0;) {
         const Level& l = levels_[level];
-        inner.resize((boxes.size() + 1) * kRow);
+        inner.resize(std::max(inner.size(), (count + 1) * kRow));
         std::size_t n = 0;
-        for (const uint32_t b : boxes) {
-            const std::size_t i = b * kRow;
+        for (std::size_t b = 0; b < count; b++) {
+            const std::size_t i = boxes[b] * kRow;
             const uint32_t bits = bitsOf(between(&l.low[0][i], &l.high[0][i], box, 0) &
                                          between(&l.low[1][i], &l.high[1][i], box, 1) &
                                          between(&l.low[2][i], &l.high[2][i], box, 2));
             storeRow(&inner[n], lanesOf(bits) + static_cast<int32_t>(i));
             n += static_cast<std::size_t>(__builtin_popcount(bits));
         }
-        inner.resize(n);
         boxes.swap(inner);
+        count = n;
     }
-    for (const uint32_t row : boxes) appendPoints(row, box, found);
+    found.reserve((count + 1) * kRow);
+    for (std::size_t b = 0; b < count; b++) {
+        const std::size_t i = boxes[b] * kRow;
+        appendInside(&axis_[0][i], &axis_[1][i], &axis_[2][i], ~RowMask{}, box, found);
+    }
+}
+
+AKIMAP_MULTIVERSION
+void PointList::findPoints(const Bounds& box, PointList& found) const {
+    found.count = 0;
+    found.reserve(count + 2 * NeighborRows::kRow);
+    for (std::size_t i = 0; i < count; i += NeighborRows::kRow)
+        appendInside(&x[i], &y[i], &z[i], kLaneIndex < static_cast<int32_t>(count - i), box, found);
 }
 
 }  // namespace akimap

@@ -25,6 +25,8 @@ struct PointList {
         if (n <= x.size()) return;
         for (auto* v : {&x, &y, &z}) v->resize(2 * n);
     }
+    /** Replaces `found` by the points in the box, in order. */
+    void findPoints(const Bounds& box, PointList& found) const;
 };
 
 /** Points [m] in rows of eight that lie near each other, with a tree of boxes
@@ -63,7 +65,6 @@ class NeighborRows {
         std::vector<float> low[3], high[3];
     };
 
-    void appendPoints(std::size_t row, const Bounds& box, PointList& found) const;
     void sort(const float* x, const float* y, const float* z, std::size_t n, double grain);
     void buildLevels();
 

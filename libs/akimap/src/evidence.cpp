@@ -5,15 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
 namespace akimap {
 namespace {
-constexpr double kClearance = 1.5;     // a ball's radius over its distance from the hit's plane
-constexpr double kStep = 0.5;          // from ball to ball, over the radius
-constexpr double kLeastBall = 0.25;    // [cells]
 constexpr float kLeastSurface = 0.1f;  // of a, where nothing else is known of a cell
 constexpr float kSurfaceWeight = 2;    // a surface counts as much as so many free spaces
 
@@ -28,7 +24,9 @@ struct ScanBlock {
  * are slow. */
 AKIMAP_INLINE void boundSum(float bound, Row& alpha, Row& beta) {
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
-    const Row sum = alpha + beta, scale = sum > bound ? bound / sum : one;
+    const Row sum = alpha + beta;
+    if (!bitsOf(sum > bound)) return;
+    const Row scale = sum > bound ? bound / sum : one;
     for (Row* v : {&alpha, &beta}) {
         const Row least = *v < 1e-20f ? *v : 1e-20f * one, scaled = *v * scale;
         *v = scaled > least ? scaled : least;
@@ -65,75 +63,49 @@ bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, Block& bl
     return bitsOf(gained != 0) != 0;
 }
 
-/** Of a ray, away from its hit: where balls go. */
-struct Walk {
-    std::array<double, 3> end, back;  // [m] the hit, and the unit vector towards the origin
-    double length;                    // [m]
-    double rise;  // distance gained from the hit's surface on the way, in [0, 1]
-};
+/** Lists the blocks that the scan says anything of. */
+void listBlocks(const ScatterScratch& kernels, const FreeSpace& free,
+                std::vector<EvidenceBlock>& blocks) {
+    constexpr uint32_t kNone = KeyTable::kNone;
+    blocks.clear();
+    for (uint32_t i = 0; i < free.keys().size(); i++) blocks.push_back({free.keys()[i], kNone, i});
+    for (uint32_t i = 0; i < kernels.keys.size(); i++) {
+        const uint32_t b = free.find(kernels.keys[i]);
+        if (b == kNone)
+            blocks.push_back({kernels.keys[i], i, kNone});
+        else
+            blocks[b].kernels = i;
+    }
+}
 
-Walk walkOf(const Ray& r, const Surfel& s) {
-    Walk w{r.end, {}, 0, 1};
-    for (std::size_t i = 0; i < 3; i++) w.back[i] = r.origin[i] - r.end[i];
-    w.length = std::hypot(w.back[0], w.back[1], w.back[2]);
-    for (double& b : w.back) b /= w.length;
-    if (s.flat)
-        w.rise = std::abs(w.back[0] * static_cast<double>(s.normal[0]) +
-                          w.back[1] * static_cast<double>(s.normal[1]) +
-                          w.back[2] * static_cast<double>(s.normal[2]));
-    return w;
+/** Adds the scan to a block of the map. \return whether a cell of it gained evidence */
+bool addScan(const EvidenceBlock& b, const ScatterScratch& kernels, const FreeSpace& free,
+             float inverse_limit, float bound, Block& block) {
+    alignas(32) float surface[Block::kCells];
+    ScanBlock scan{nullptr, nullptr};
+    if (b.power != KeyTable::kNone) scan.power = free.plane(b.power).data();
+    if (b.kernels != KeyTable::kNone) {
+        std::fill_n(surface, Block::kCells, 0.0f);
+        if (addKernels(kernels, b.kernels, kernels.kernels.size(), surface, nullptr))
+            scan.surface = surface;
+    }
+    return addBlock(scan, inverse_limit, bound, block);
 }
 
 }  // namespace
 
-std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
-                     double radius, double resolution, FreeSpace& free) {
-    free.clear();
-    std::size_t balls = 0;
-    const double per_cell = 1 / resolution, largest = radius * radius;
-    for (std::size_t i = 0; i < rays.size(); i++) {
-        const Walk w = walkOf(*rays[i].ray, surfels[i]);
-        const double length = w.length * per_cell;
-        for (double t = 1; t < length;) {
-            const double ball = std::min(radius, kClearance * t * w.rise);
-            if (ball >= kLeastBall) {
-                balls++;
-                const auto at = [&](std::size_t a) {
-                    return static_cast<int32_t>(std::floor(w.end[a] * per_cell + w.back[a] * t));
-                };
-                free.mark({at(0), at(1), at(2)},
-                          static_cast<uint16_t>(FreeSpace::kUnit * (largest - ball * ball)));
-            }
-            t += std::max(1.0, kStep * ball);
-        }
-    }
-    return balls;
-}
-
-bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
-                 double max_evidence, BlockGrid& grid, EvidenceScratch& s) {
-    KeyTable index;
-    std::vector<ScanBlock> scan;
-    s.where.clear();
-    for (std::size_t i = 0; i < free.keys().size(); i++) {
-        const uint64_t key = free.keys()[i];
-        index.insert(key, static_cast<uint32_t>(i));
-        s.where.push_back(unpackKey(key));
-        scan.push_back({nullptr, free.plane(i).data()});
-    }
-    for (const auto& [place, block] : surface.sortedBlocks()) {
-        const auto [i, added] = index.insert(packKey(place), static_cast<uint32_t>(scan.size()));
-        if (added) s.where.push_back(place), scan.push_back({nullptr, nullptr});
-        scan[i].surface = block->alpha.data();
-    }
+bool addEvidence(const CellIndex& anchor, const ScatterScratch& kernels, const FreeSpace& free,
+                 double radius, double max_evidence, BlockGrid& grid, EvidenceScratch& s) {
+    listBlocks(kernels, free, s.touched);
 
     // All that may run out of memory comes before the first sum is changed.
-    const std::size_t n = scan.size();
+    const std::size_t n = s.touched.size();
     s.blocks.assign(n, nullptr);
     s.fresh.assign(n, nullptr);
-    std::vector<char> reached(n, 0);
+    s.reached.assign(n, 0);
     grid.reserve(grid.blockCount() + n);
-    for (std::size_t b = 0; b < n; b++) s.blocks[b] = grid.own(s.where[b]);
+    for (std::size_t b = 0; b < n; b++)
+        s.blocks[b] = grid.own(blockInMap(s.touched[b].key, anchor));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
         if (s.blocks[b]) return;
         s.fresh[b] = std::make_shared<Block>();
@@ -143,13 +115,14 @@ bool addEvidence(const BlockGrid& surface, const FreeSpace& free, double radius,
                                         : std::numeric_limits<float>::infinity();
     const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        reached[b] = addBlock(scan[b], inverse_limit, bound, *s.blocks[b]);
+        s.reached[b] = addScan(s.touched[b], kernels, free, inverse_limit, bound, *s.blocks[b]);
     });
+
     bool changed = false;
     for (std::size_t b = 0; b < n; b++) {
-        if (!reached[b]) continue;
+        if (!s.reached[b]) continue;
         changed = true;
-        if (s.fresh[b]) grid.adopt(s.where[b], std::move(s.fresh[b]));
+        if (s.fresh[b]) grid.adopt(blockInMap(s.touched[b].key, anchor), std::move(s.fresh[b]));
     }
     s.fresh.clear();
     return changed;

@@ -20,7 +20,7 @@ uint16_t powerOf(double ball, double radius) {
 }  // namespace
 
 std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                          FreeSpace& free) {
+                          const CellIndex& anchor, FreeSpace& free) {
     std::size_t balls = 0;
     for (const Ray& r : beams) {
         std::array<double, 3> end{}, back{};  // [cells]
@@ -33,7 +33,8 @@ std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double r
                 return static_cast<int32_t>(std::floor(end[i] + back[i] * (t / length)));
             };
             if (ball >= kLeastBall) {
-                free.mark({at(0), at(1), at(2)}, powerOf(ball, radius));
+                free.mark({at(0) - anchor.x, at(1) - anchor.y, at(2) - anchor.z},
+                          powerOf(ball, radius));
                 balls++;
             }
             t += std::max(1.0, kStep * ball);

@@ -12,8 +12,9 @@ namespace akimap {
  * sphere of the beam's length about its origin.
  * \param beams cut off where they are known to be free
  * \param radius [cells] of the balls; they are smaller only near the beam's end
+ * \param anchor of the samples: the blocks of `free` are relative to it
  * \return number of balls */
 std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                          FreeSpace& free);
+                          const CellIndex& anchor, FreeSpace& free);
 
 }  // namespace akimap

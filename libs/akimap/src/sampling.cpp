@@ -36,10 +36,9 @@ Point along(const Ray& r, double fraction) {
     return p;
 }
 
-bool isUsable(const Ray& r, const InsertionParameters& p, const BlockGrid& grid,
+bool isUsable(const Ray& r, double length, const InsertionParameters& p, const BlockGrid& grid,
               InsertionStats& stats) {
     if (!isFinite(r.origin) || !isFinite(r.end)) return ++stats.dropped_nonfinite, false;
-    const double length = lengthOf(r);
     if (length == 0) return ++stats.dropped_zero, false;
     if (!p.takesLength(length) || (!r.hit && p.beyond_max_range == BeyondMaxRange::ignore))
         return ++stats.dropped_range, false;
@@ -131,7 +130,8 @@ KeptRays takeHits(const std::vector<Ray>& rays, const InsertionParameters& p, co
     uint64_t number = 0;
     for (const Ray& r : rays) {
         const std::optional<Ray> free = freePart(r, p);
-        if (!isUsable(free ? *free : r, p, grid, stats)) continue;
+        const double length = lengthOf(free ? *free : r);
+        if (!isUsable(free ? *free : r, length, p, grid, stats)) continue;
         if (!sampler) {  // the first usable ray places the local frame
             const CellIndex b =
                 BlockGrid::blockOf(grid.cellAt(r.origin[0], r.origin[1], r.origin[2]));
@@ -148,7 +148,7 @@ KeptRays takeHits(const std::vector<Ray>& rays, const InsertionParameters& p, co
             if (free_sampler->take(free->end)) kept.free.push_back(*free);
             continue;
         }
-        if (sampler->add(r.end, lengthOf(r))) kept.hits.push_back({&r, number});
+        if (sampler->add(r.end, length)) kept.hits.push_back({&r, number});
         ++number;
     }
     stats.points += number;

@@ -2,11 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "scatter.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <cmath>
 
 #include "kernel.h"
 
@@ -14,75 +10,6 @@ namespace akimap {
 namespace {
 
 constexpr int kSide = Block::kSide;
-
-AKIMAP_INLINE Kernel makeKernel(const Symmetric3& h, const double (&place)[3], double resolution) {
-    const double area = resolution * resolution;
-    const Factored f(h);
-    Kernel k{};
-    k.x = place[0], k.y = place[1], k.z = place[2];
-    k.y_z = f.y_z, k.x_z = f.x_z, k.x_y = f.x_y;
-    k.iz = static_cast<float>(area / f.vz), k.iy = static_cast<float>(area / f.vy),
-    k.ix = static_cast<float>(area / f.vx);
-    k.weight = static_cast<float>(1 / std::sqrt(f.determinant()));
-    return k;
-}
-
-AKIMAP_MULTIVERSION
-void makeKernelRange(const Samples& s, const std::vector<Symmetric3>& H, double resolution,
-                     std::size_t begin, std::size_t end, ScatterScratch& scratch) {
-    const double per_cell = 1 / resolution;
-    for (std::size_t i = begin; i < end; i++) {
-        const double place[3] = {s.x[i] * per_cell - 0.5, s.y[i] * per_cell - 0.5,
-                                 s.z[i] * per_cell - 0.5};
-        const double variance[3] = {H[i].xx, H[i].yy, H[i].zz};
-        scratch.kernels[i] = makeKernel(H[i], place, resolution);
-        for (int a = 0; a < 3; a++) {
-            const double reach = std::sqrt(variance[a]) * per_cell;
-            scratch.boxes[i].first[a] = static_cast<int32_t>(std::ceil(place[a] - reach));
-            scratch.boxes[i].last[a] = static_cast<int32_t>(std::floor(place[a] + reach));
-        }
-    }
-}
-
-void makeKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                 ScatterScratch& s) {
-    s.kernels.resize(samples.size());
-    s.boxes.resize(samples.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, samples.size(), 512), [&](const auto& r) {
-        makeKernelRange(samples, H, resolution, r.begin(), r.end(), s);
-    });
-}
-
-/** Lists the blocks (relative to the anchor) that each kernel's bounding box meets. */
-void listTouched(ScatterScratch& s) {
-    s.touched.clear(), s.keys.clear(), s.pairs.clear();
-    for (uint32_t i = 0; i < s.boxes.size(); i++) {
-        const KernelBox& b = s.boxes[i];
-        if (b.first[0] > b.last[0] || b.first[1] > b.last[1]) continue;  // between two cells
-        for (int z = b.first[2] >> 3; z <= b.last[2] >> 3; z++) {
-            const int begin = std::max(b.first[2] - z * kSide, 0),
-                      end = std::min(b.last[2] - z * kSide, kSide - 1) + 1;
-            const Touch touch{i, static_cast<uint16_t>(begin), static_cast<uint16_t>(end)};
-            for (int y = b.first[1] >> 3; y <= b.last[1] >> 3; y++)
-                for (int x = b.first[0] >> 3; x <= b.last[0] >> 3; x++) {
-                    const uint64_t key = packKey({x, y, z});
-                    const auto [number, added] =
-                        s.touched.insert(key, static_cast<uint32_t>(s.keys.size()));
-                    if (added) s.keys.push_back(key);
-                    s.pairs.emplace_back(number, touch);
-                }
-        }
-    }
-}
-
-/** Counting sort of the pairs by block; within a block the kernels stay in order. */
-void groupByBlock(ScatterScratch& s) {
-    s.start.assign(s.keys.size() + 2, 0);
-    for (const auto& [block, touch] : s.pairs) ++s.start[block + 2];
-    for (std::size_t b = 2; b < s.start.size(); b++) s.start[b] += s.start[b - 1];
-    s.touches.resize(s.pairs.size());
-    for (const auto& [block, touch] : s.pairs) s.touches[s.start[block + 1]++] = touch;
-}
 
 /** What a kernel leaves of the rows of a block: row r = (y, z) runs along x, and its cells have
  * 1 - r^2 = left[r] - (x - x0[r])^2 ix. */
@@ -95,8 +22,16 @@ struct Rows {
  * block's corner keeps its digits. */
 constexpr DoubleRow kLow = {0, 1, 2, 3}, kHigh = {4, 5, 6, 7};
 
+/** How far each place lies from the cells of its row; no more than that, rounding included. */
+AKIMAP_INLINE Row outsideRow(Row x0) {
+    constexpr float kMiddle = 3.5f, kMargin = 0.01f;
+    const Row from_middle = x0 - kMiddle;
+    const Row outside = (Row)((RowMask)from_middle & INT32_MAX) - (kMiddle + kMargin);
+    return keep(outside > 0.0f, outside);
+}
+
 /** Cuts a kernel into the rows of the block's layers [begin, end), eight at a time.
- * \return one bit a row: whether the kernel's infinite cylinder along x reaches it */
+ * \return one bit a row: whether the kernel may reach a cell of it */
 AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int begin, int end,
                                    Rows& rows) {
     const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
@@ -107,10 +42,12 @@ AKIMAP_INLINE uint64_t cutIntoRows(const Kernel& k, const CellIndex& corner, int
         const double y0 = cy + k.y_z * dz, x_layer = cx + k.x_z * dz;
         const DoubleRow ey_low = kLow - y0, ey_high = kHigh - y0;
         const Row ey = joined(ey_low, ey_high), left = left_z - ey * ey * k.iy;
+        const DoubleRow x0_low = x_layer + k.x_y * ey_low, x0_high = x_layer + k.x_y * ey_high;
         storeRow(rows.left + z * kSide, left);
-        storeRow(rows.x0 + z * kSide, x_layer + k.x_y * ey_low);
-        storeRow(rows.x0 + z * kSide + 4, x_layer + k.x_y * ey_high);
-        reached |= static_cast<uint64_t>(bitsOf(left > 0.0f)) << (z * kSide);
+        storeRow(rows.x0 + z * kSide, x0_low);
+        storeRow(rows.x0 + z * kSide + 4, x0_high);
+        const Row ex = outsideRow(joined(x0_low, x0_high));
+        reached |= static_cast<uint64_t>(bitsOf(left - ex * ex * k.ix > 0.0f)) << (z * kSide);
     }
     return reached;
 }
@@ -135,32 +72,36 @@ AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Tou
 /** \return whether a kernel reached the centre of any of its cells */
 AKIMAP_MULTIVERSION
 bool addToBlock(const ScatterScratch& s, const Touch* first, const Touch* last,
-                std::size_t occupied, const CellIndex& corner, Block& block) {
+                std::size_t occupied, const CellIndex& corner, float* alpha, float* beta) {
     constexpr int kAhead = 4;
     Rows rows;
     RowMask reached{};  // not zero where 1 - r^2 > 0 was met
     for (const Touch* t = first; t != last; ++t) {
         if (t + kAhead < last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
-        addKernel(s.kernels[t->kernel], corner, *t,
-                  t->kernel < occupied ? block.alpha.data() : block.beta.data(), rows, reached);
+        addKernel(s.kernels[t->kernel], corner, *t, t->kernel < occupied ? alpha : beta, rows,
+                  reached);
     }
     return bitsOf(reached != 0) != 0;
 }
+
+}  // namespace
 
 BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
     const CellIndex b = unpackKey(key), a = BlockGrid::blockOf(anchor);
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-}  // namespace
+bool addKernels(const ScatterScratch& s, std::size_t b, std::size_t occupied, float* alpha,
+                float* beta) {
+    const CellIndex c = unpackKey(s.keys[b]);
+    const Touch* touches = s.touches.data();
+    return addToBlock(s, touches + s.start[b], touches + s.start[b + 1], occupied,
+                      {c.x * kSide, c.y * kSide, c.z * kSide}, alpha, beta);
+}
 
 bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             ScatterScratch& s, KernelWeight weight) {
-    makeKernels(samples, H, grid.resolution(), s);
-    if (weight == KernelWeight::one)
-        for (Kernel& k : s.kernels) k.weight = 1;
-    listTouched(s);
-    groupByBlock(s);
+             ScatterScratch& s) {
+    groupKernels(samples, H, grid.resolution(), s, KernelWeight::density);
 
     // All that may run out of memory comes before the first sum is changed.
     const std::size_t n = s.keys.size();
@@ -177,11 +118,8 @@ bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid
     });
 
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        const CellIndex c = unpackKey(s.keys[b]);
-        const Touch* touches = s.touches.data();
         s.reached[b] =
-            addToBlock(s, touches + s.start[b], touches + s.start[b + 1], samples.occupied,
-                       {c.x * kSide, c.y * kSide, c.z * kSide}, *s.blocks[b]);
+            addKernels(s, b, samples.occupied, s.blocks[b]->alpha.data(), s.blocks[b]->beta.data());
     });
 
     bool changed = false;

@@ -51,12 +51,26 @@ enum class KernelWeight : uint8_t {
     one
 };
 
+/** The kernels of a scan, and which of them each block of 8^3 cells meets. Runs in the caller's TBB
+ * arena. */
+void groupKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
+                  ScatterScratch& scratch, KernelWeight weight);
+
+/** Adds the kernels that meet block number b of groupKernels() to planes of its cells, in the
+ * samples' order: those of occupied samples to alpha, the others to beta.
+ * \return whether a kernel reached the centre of any of its cells */
+bool addKernels(const ScatterScratch& scratch, std::size_t b, std::size_t occupied, float* alpha,
+                float* beta);
+
+/** A block of ScatterScratch::keys or FreeSpace::keys(), which are relative to the samples'. */
+[[nodiscard]] BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor);
+
 /** Room 4: adds every sample's weighted kernel to the alpha (occupied) or beta (free) of the cells
  * whose centres it reaches, Eq. (8)-(9). One task a block, kernels in the samples' order, so the
  * sums are the same for any number of threads; runs in the caller's TBB arena.
  * \return whether any cell gained evidence
  * \exception std::bad_alloc with no sum changed */
 bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             ScatterScratch& scratch, KernelWeight weight = KernelWeight::density);
+             ScatterScratch& scratch);
 
 }  // namespace akimap

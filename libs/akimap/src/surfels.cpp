@@ -7,12 +7,10 @@
 
 #include <Eigen/Dense>
 
+#include "ball_moments.h"
+
 namespace akimap {
 namespace {
-constexpr double kEnough = 10;        // neighbours, the hit included
-constexpr double kSmallest = 2.5;     // [cells] radius of the first ball
-constexpr double kGrowth = 1.3;       // from ball to ball
-constexpr double kTaper = 0.5;        // neighbours at the ball's surface weigh 1 - kTaper
 constexpr double kFewestOfPlane = 5;  // points
 constexpr double kFlat = 0.05;        // a plane's greatest ratio of its two lesser variances
 constexpr double kLine = 0.005;       // a line's greatest ratio of its two greater variances
@@ -25,34 +23,6 @@ constexpr double kNarrowest = 4;                  // [cells]
 constexpr double kAlone = 2;                      // [cells] where there are too few neighbours
 constexpr double kLineThinnest = 1.2;             // [cells] across the plane of a line
 
-/** Weighted number and moments of the points in a ball, about its centre. */
-struct BallMoments {
-    double n = 0, w = 0, x = 0, y = 0, z = 0;
-    Symmetric3 m2;
-};
-
-AKIMAP_INLINE BallMoments momentsIn(const PointList& points, float cx, float cy, float cz,
-                                    float radius) {
-    Row n{}, w{}, x{}, y{}, z{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
-    constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
-    const float limit = radius * radius, taper = static_cast<float>(kTaper) / limit;
-    for (std::size_t i = 0; i < points.count; i += 8) {
-        const Row dx = loadRow(&points.x[i]) - cx, dy = loadRow(&points.y[i]) - cy,
-                  dz = loadRow(&points.z[i]) - cz, u = dx * dx + dy * dy + dz * dz;
-        const RowMask inside = (kLaneIndex < static_cast<int32_t>(points.count - i)) & (u <= limit);
-        const Row v = keep(inside, 1.0f - taper * u);
-        const Row vx = v * dx, vy = v * dy, vz = v * dz;
-        n += keep(inside, one), w += v, x += vx, y += vy, z += vz;
-        xx += vx * dx, xy += vx * dy, xz += vx * dz, yy += vy * dy, yz += vy * dz, zz += vz * dz;
-    }
-    return {sumOf(n), sumOf(w), sumOf(x),
-            sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
-}
-
-Bounds boxAround(float x, float y, float z, float r) {
-    return {{x - r, y - r, z - r}, {x + r, y + r, z + r}};
-}
-
 Symmetric3 symmetric(const Eigen::Matrix3d& m) {
     return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
@@ -60,22 +30,10 @@ Symmetric3 symmetric(const Eigen::Matrix3d& m) {
 /** Fits one hit after the other. */
 class Fitter {
  public:
-    Fitter(const NeighborRows& points, const InsertionParameters& p, double resolution)
-        : points_(points),
-          resolution_(resolution),
-          range_(std::max(p.surface_range, resolution)),
+    Fitter(const InsertionParameters& p, double resolution)
+        : resolution_(resolution),
           narrowest_(kNarrowest * resolution),
           widest_(widestSurfel(p, resolution)) {}
-
-    AKIMAP_INLINE BallMoments neighbors(float x, float y, float z, PointList& found) const {
-        for (double radius = std::min(kSmallest * resolution_, range_);;) {
-            const auto r = static_cast<float>(radius);
-            points_.findPoints(boxAround(x, y, z, r), found);
-            const BallMoments m = momentsIn(found, x, y, z, r);
-            if (m.n >= kEnough || radius >= range_) return m;
-            radius = std::min(radius * kGrowth, range_);
-        }
-    }
 
     /** \param towards_sensor of unit length
      * \param shift where the hit belongs, relative to itself [m] */
@@ -143,8 +101,7 @@ class Fitter {
         return v;
     }
 
-    const NeighborRows& points_;
-    double resolution_, range_, narrowest_, widest_;
+    double resolution_, narrowest_, widest_;
 };
 
 Eigen::Vector3d towardsSensor(const Ray& r) {
@@ -153,17 +110,23 @@ Eigen::Vector3d towardsSensor(const Ray& r) {
 }
 
 AKIMAP_MULTIVERSION
-void fitRange(const Fitter& fitter, const std::vector<KeptRay>& rays, const SurfelScratch& s,
-              std::size_t begin, std::size_t end, Samples& hits, Surfel* surfels, Symmetric3* H) {
-    thread_local PointList found;
-    for (std::size_t place = begin; place < end; place++) {  // along the curve, for the cache
-        const std::size_t i = s.rows.order()[place];
-        const BallMoments m = fitter.neighbors(s.x[i], s.y[i], s.z[i], found);
-        Eigen::Vector3d shift;
-        fitter.fit(m, towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
-        hits.x[i] += static_cast<float>(shift[0]);
-        hits.y[i] += static_cast<float>(shift[1]);
-        hits.z[i] += static_cast<float>(shift[2]);
+void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<KeptRay>& rays,
+              const SurfelScratch& s, std::size_t begin, std::size_t end, Samples& hits,
+              Surfel* surfels, Symmetric3* H) {
+    thread_local Neighbors near;
+    BallMoments moments[kTogether];
+    for (std::size_t place = begin, n; place < end; place += n) {  // along the curve
+        const uint32_t* group = &s.rows.order()[place];
+        n = search.together(group, end - place);
+        search.moments(group, n, near, moments);
+        for (std::size_t k = 0; k < n; k++) {
+            const uint32_t i = group[k];
+            Eigen::Vector3d shift;
+            fitter.fit(moments[k], towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
+            hits.x[i] += static_cast<float>(shift[0]);
+            hits.y[i] += static_cast<float>(shift[1]);
+            hits.z[i] += static_cast<float>(shift[2]);
+        }
     }
 }
 
@@ -181,9 +144,10 @@ void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits, const Insertion
     scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move
     scratch.rows.build(scratch.x.data(), scratch.y.data(), scratch.z.data(), hits.size(),
                        resolution);
-    const Fitter fitter(scratch.rows, p, resolution);
+    const Fitter fitter(p, resolution);
+    const BallSearch search(scratch, std::max(p.surface_range, resolution), resolution);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hits.size(), 64), [&](const auto& r) {
-        fitRange(fitter, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
+        fitRange(fitter, search, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
     });
 }
 

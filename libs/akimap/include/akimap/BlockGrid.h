@@ -74,7 +74,7 @@ class BlockGrid {
     }
     [[nodiscard]] double center(int32_t i) const { return (i + 0.5) * resolution_; }  ///< [m]
 
-    [[nodiscard]] const Block* find(const BlockIndex& b) const;
+    [[nodiscard]] inline const Block* find(const BlockIndex& b) const;
     /** The block to write to, this grid's own from now on; null if there is none. */
     [[nodiscard]] Block* own(const BlockIndex& b);
     /** Makes room for so many blocks in all: adopt() then allocates nothing. */
@@ -122,7 +122,9 @@ class BlockGrid {
         return std::abs(x) < limit && std::abs(y) < limit && std::abs(z) < limit;
     }
     [[nodiscard]] int32_t axisIndex(double v) const {
-        return static_cast<int32_t>(std::floor(v / resolution_));
+        const double cells = v / resolution_;
+        const auto towards_zero = static_cast<int32_t>(cells);
+        return towards_zero - (cells < towards_zero);  // std::floor() is slower
     }
 
     double resolution_;
@@ -137,6 +139,10 @@ class BlockGrid {
     return (static_cast<uint64_t>(c.z + kBias) & kMask) << 42 |
            (static_cast<uint64_t>(c.y + kBias) & kMask) << 21 |
            (static_cast<uint64_t>(c.x + kBias) & kMask);
+}
+inline const Block* BlockGrid::find(const BlockIndex& b) const {
+    const uint32_t place = index_.find(packKey(b));
+    return place == KeyTable::kNone ? nullptr : blocks_[place].block.get();
 }
 [[nodiscard]] inline CellIndex unpackKey(uint64_t key) {
     constexpr int64_t kBias = 1 << 20;

@@ -18,7 +18,7 @@ class KeyTable {
     /** The key's value, kNone if absent. */
     [[nodiscard]] uint32_t find(uint64_t key) const {
         if (slots_.empty()) return kNone;
-        for (std::size_t i = hash(key) & mask_;; i = (i + 1) & mask_) {
+        for (std::size_t i = home(key);; i = (i + 1) & mask_) {
             if (slots_[i].value == kNone) return kNone;
             if (slots_[i].key == key) return slots_[i].value;
         }
@@ -27,7 +27,7 @@ class KeyTable {
     /** The value already there, or `value` put there now; second: whether it was put. */
     std::pair<uint32_t, bool> insert(uint64_t key, uint32_t value) {
         reserve(size_ + 1);
-        std::size_t i = hash(key) & mask_;
+        std::size_t i = home(key);
         for (; slots_[i].value != kNone; i = (i + 1) & mask_)
             if (slots_[i].key == key) return {slots_[i].value, false};
         slots_[i] = {key, value};
@@ -54,15 +54,16 @@ class KeyTable {
         uint32_t value = kNone;
     };
 
-    static std::size_t hash(uint64_t key) {  // the finalizer of SplitMix64
-        key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
-        key = (key ^ (key >> 27)) * 0x94d049bb133111ebu;
-        return static_cast<std::size_t>(key ^ (key >> 31));
+    /** The key's first place: the highest bits of its product with 2^64 over the golden ratio,
+     * which depend on all of its bits (Knuth, The Art of Computer Programming 3, 6.4). */
+    [[nodiscard]] std::size_t home(uint64_t key) const {
+        return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> shift_);
     }
     void grow() {
         std::vector<Slot> old(slots_.empty() ? 64 : slots_.size() * 2);
         old.swap(slots_);
         mask_ = slots_.size() - 1;
+        for (shift_ = 64; std::size_t{1} << (64 - shift_) < slots_.size();) shift_--;
         size_ = 0;
         for (const Slot& s : old)
             if (s.value != kNone) insert(s.key, s.value);
@@ -70,6 +71,7 @@ class KeyTable {
 
     std::vector<Slot> slots_;
     std::size_t mask_ = 0, size_ = 0;
+    int shift_ = 0;  // 64 less the bits of mask_
 };
 
 }  // namespace akimap
