@@ -3,7 +3,11 @@
 // Bounded work: operations counted, not timed, on scans made to be awkward.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
+
 #include "Scratch.h"
+#include "random_scans.h"
 
 using namespace akimap;
 
@@ -53,6 +57,26 @@ std::vector<Ray> wall(double distance, double half, int n) {
     return rays;
 }
 
+std::vector<Ray> movedBy(double dx, double dy, std::vector<Ray> rays) {
+    for (Ray& r : rays)
+        for (auto* p : {&r.origin, &r.end}) (*p)[0] += dx, (*p)[1] += dy;
+    return rays;
+}
+
+/** CPU time [s] of three more scans of a place in a copy of the map. */
+double secondsOfScansIn(const AkiMap& map) {
+    AkiMap copy = map;
+    copy.insertRays(test::randomScan(2, 3000));  // takes over the shared blocks, makes room
+    const auto now = [] {
+        timespec t{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+        return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+    };
+    const double start = now();
+    for (unsigned seed = 3; seed < 6; seed++) copy.insertRays(test::randomScan(seed, 3000));
+    return now() - start;
+}
+
 }  // namespace
 
 TEST(Work, AnOrdinaryScan) {
@@ -94,4 +118,22 @@ TEST(Work, AFarPointChangesNothingForTheOthers) {
     rays.push_back({{0, 0, 0}, {-400, 200, 50}});
     const Work with = Insertion(500).insert(rays);
     EXPECT_LT(with.tested, 1.5 * without.tested);
+}
+
+TEST(Work, AScanCostsTheSameInAMapAHundredTimesAsLarge) {
+    for (const Estimator estimator : {Estimator::surface, Estimator::paper}) {
+        AkiMap small(0.05);
+        small.insertionOptions.threads = 1, small.insertionOptions.estimator = estimator;
+        small.insertRays(test::randomScan(1, 3000));
+        AkiMap large = small;
+        for (int i = 1; i < 100; i++)
+            large.insertRays(movedBy(10 * (i % 10), 10 * (i / 10), test::randomScan(1, 3000)));
+        ASSERT_GT(large.cellCount(), 80 * small.cellCount());
+        double in_small = INFINITY, in_large = INFINITY;
+        for (int i = 0; i < 7; i++) {
+            in_small = std::min(in_small, secondsOfScansIn(small));
+            in_large = std::min(in_large, secondsOfScansIn(large));
+        }
+        EXPECT_LT(in_large / in_small, 1.2);
+    }
 }
