@@ -67,14 +67,13 @@ Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
     return s;
 }
 
-LidarDrive simulatedLidar(std::size_t scans) {
-    constexpr std::size_t kBeams = 16, kDirections = 1875;
+LidarDrive simulatedLidar(std::size_t scans, const LidarModel& model) {
     constexpr double kPi = 3.14159265358979323846, kMaxRange = 60, kNoise = 0.01;
     const app::Scene scene = app::makeScene(app::SceneKind::structured, 1);
     const app::Trajectory trajectory = app::makeDrive(scene, false, 1).trajectory;
     const app::World world{scene, trajectory, false, kNoise, kMaxRange};
     app::Random random(1, 4);
-    LidarDrive drive{"simulated lidar", {}, 10};
+    LidarDrive drive{model.name, {}, 10};
     const double start = trajectory.keyframes().front().time,
                  span = trajectory.keyframes().back().time - start;
     for (std::size_t n = 0; n < scans; n++) {
@@ -83,9 +82,13 @@ LidarDrive simulatedLidar(std::size_t scans) {
             trajectory.at(start + t) + mrpt::poses::CPose3D(0, 0, 1, 0, 0, 0);
         const mrpt::math::TPoint3D origin(sensor.x(), sensor.y(), sensor.z());
         auto& rays = drive.scans.emplace_back();
-        for (std::size_t i = 0; i < kBeams * kDirections; i++) {
-            const double elevation = (static_cast<double>(i % kBeams) * 2 - 15) * kPi / 180;
-            const double azimuth = 2 * kPi * static_cast<double>(i / kBeams) / kDirections;
+        for (std::size_t i = 0; i < model.beams * model.directions; i++) {
+            const auto beam = static_cast<double>(i % model.beams),
+                       turn = static_cast<double>(i / model.beams);
+            const double elevation =
+                (2 * model.height * beam / static_cast<double>(model.beams - 1) - model.height) *
+                kPi / 180;
+            const double azimuth = 2 * kPi * turn / static_cast<double>(model.directions);
             const auto direction =
                 sensor.rotateVector({std::cos(elevation) * std::cos(azimuth),
                                      std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
