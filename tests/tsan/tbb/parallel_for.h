@@ -11,7 +11,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <thread>
 #include <vector>
@@ -19,23 +18,22 @@
 namespace tbb {
 namespace akimap_tsan {
 
-/** Runs task(0) to task(n - 1) on as many threads as the arena allows; throws one of what they
- * throw. */
+/** Runs task(0) to task(n - 1) on as many threads as the arena allows, in turns, so that any two of
+ * them that follow each other are on two threads; throws one of what they throw. */
 template <class Task>
 void run(std::size_t n, const Task& task) {
     const auto allowed = static_cast<std::size_t>(this_task_arena::max_concurrency());
     std::vector<std::exception_ptr> thrown(std::min(n, allowed));
-    std::atomic<std::size_t> next{0};
-    const auto work = [&](std::exception_ptr& error) {
-        try {  // relaxed: puts no order between the tasks
-            for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < n;) task(i);
+    const auto work = [&](std::size_t thread) {
+        try {
+            for (std::size_t i = thread; i < n; i += thrown.size()) task(i);
         } catch (...) {
-            error = std::current_exception();
+            thrown[thread] = std::current_exception();
         }
     };
     std::vector<std::thread> threads;
-    for (std::size_t t = 1; t < thrown.size(); t++) threads.emplace_back(work, std::ref(thrown[t]));
-    if (!thrown.empty()) work(thrown[0]);
+    for (std::size_t t = 1; t < thrown.size(); t++) threads.emplace_back(work, t);
+    if (n > 0) work(0);
     for (std::thread& t : threads) t.join();
     for (const std::exception_ptr& error : thrown)
         if (error) std::rethrow_exception(error);
