@@ -6,6 +6,7 @@
 #include <malloc.h>
 
 #include "run_program.h"
+#include "sanitized.h"
 #include "simulation/simulate.h"
 
 using namespace akimap;
@@ -16,14 +17,6 @@ namespace {
 double allocated() {
     const auto all = mallinfo2();
     return static_cast<double>(all.uordblks + all.hblkhd);
-}
-
-bool sanitized() {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return true;
-#else
-    return false;
-#endif
 }
 
 struct Memory {

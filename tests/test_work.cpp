@@ -8,6 +8,7 @@
 
 #include "Scratch.h"
 #include "random_scans.h"
+#include "sanitized.h"
 
 using namespace akimap;
 
@@ -140,6 +141,7 @@ TEST(Work, AFarPointChangesNothingForTheOthers) {
 }
 
 TEST(Work, AScanCostsTheSameInAMapAHundredTimesAsLarge) {
+    if (sanitized()) GTEST_SKIP() << "a sanitizer's times say nothing";
     for (const Estimator estimator : {Estimator::surface, Estimator::paper}) {
         AkiMap small(0.05);
         small.insertionOptions.threads = 1, small.insertionOptions.estimator = estimator;
@@ -158,6 +160,7 @@ TEST(Work, AScanCostsTheSameInAMapAHundredTimesAsLarge) {
 }
 
 TEST(Work, AwkwardScansTakeNoMoreThanOrdinaryOnesARay) {
+    if (sanitized()) GTEST_SKIP() << "a sanitizer's times say nothing";
     for (const Estimator estimator : {Estimator::surface, Estimator::paper}) {
         const double ordinary = secondsOfARay(estimator, wall(3, 2, 300));
         const auto ratio = [&](const std::vector<Ray>& rays) {
