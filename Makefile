@@ -56,6 +56,7 @@ benchmark: configure
 
 bench: all
 	@$(BUILD)/bin/bench_speed
+	@$(BUILD)/bin/bench_storage
 	@$(BUILD)/bin/bench_rooms --benchmark_min_time=0.2
 
 # Instructions of each room on a fixed workload, by valgrind.
@@ -96,8 +97,8 @@ help:
 	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
 	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md (LA3DM_DIR=...)"
 	@echo "make ablations   accuracy with one thing in the default estimator changed at a time (ROWS=PATTERN)"
-	@echo "make asan    the tests under AddressSanitizer and UBSan"
-	@echo "make tsan    the tests under ThreadSanitizer"
+	@echo "make asan    the tests under AddressSanitizer and UBSan, but for stock programs and viewers"
+	@echo "make tsan    the same under ThreadSanitizer"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"
 	@echo "make format  clang-format every source file"
 	@echo "make clean   remove build*/ and demo/"

@@ -4,32 +4,18 @@
 // serializing it, once per particle in rbpf-slam.
 
 #include <mrpt/maps/CMultiMetricMap.h>
-#include <mrpt/system/CTicTac.h>
 #include <sys/mman.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
 #include "scenes.h"
+#include "timing.h"
 
 using namespace akimap;
+using bench::medianSeconds;
 
-namespace {
-
-template <class Work>
-double medianSeconds(Work&& work) {
-    std::vector<double> times;
-    for (int i = 0; i < 9; i++) {
-        mrpt::system::CTicTac clock;
-        work();
-        times.push_back(clock.Tac());
-    }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
-}
-
-}  // namespace
+constexpr int kRounds = 9;
 
 int main() {
     auto map = AkiMap::Create();
@@ -40,11 +26,11 @@ int main() {
 
     const std::size_t bytes = map->grid().blockCount() * sizeof(Block);
     const std::vector<char> cells(bytes, 1);
-    const double warm = medianSeconds([&, copy = std::vector<char>(bytes)]() mutable {
+    const double warm = medianSeconds(kRounds, [&, copy = std::vector<char>(bytes)]() mutable {
         std::memcpy(copy.data(), cells.data(), bytes);
         return copy[bytes / 2];
     });
-    const double fresh = medianSeconds([&] {  // pages that the system has yet to give
+    const double fresh = medianSeconds(kRounds, [&] {  // pages that the system has yet to give
         void* copy =
             mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         std::memcpy(copy, cells.data(), bytes);
@@ -57,7 +43,8 @@ int main() {
     row("memcpy of its cells, warm memory", warm);
     row("memcpy of its cells into fresh memory", fresh);
     row("multi-metric map's copy (bytes)",
-        medianSeconds([&] { const mrpt::maps::CMultiMetricMap copy = maps; }));
-    row("AkiMap's own copy (shared blocks)", medianSeconds([&] { const AkiMap copy = *map; }));
+        medianSeconds(kRounds, [&] { const mrpt::maps::CMultiMetricMap copy = maps; }));
+    row("AkiMap's own copy (shared blocks)",
+        medianSeconds(kRounds, [&] { const AkiMap copy = *map; }));
     return 0;
 }

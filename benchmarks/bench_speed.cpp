@@ -4,27 +4,24 @@
 // quote the ratios.
 
 #include <mrpt/maps/COctoMap.h>
-#include <mrpt/system/CTicTac.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <random>
 
+#include "RealtimeGate.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
 #include "scenes.h"
+#include "timing.h"
 
 using namespace akimap;
+using bench::median;
+using bench::seconds;
 
 namespace {
 
 constexpr int kPairs = 7;
 constexpr double kMaxRange = 8;
-
-double median(std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-}
 
 struct Times {
     double seconds;
@@ -35,25 +32,25 @@ struct Times {
 Times insertIntoAkiMap(const std::vector<bench::PointCloudScan>& scans, unsigned threads) {
     AkiMap map;
     map.insertionOptions.threads = threads, map.insertionOptions.max_range = kMaxRange;
-    mrpt::system::CTicTac clock;
-    for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
-    const double seconds = clock.Tac();
-    return {seconds, map.stats(),
+    const double time = seconds([&] {
+        for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
+    });
+    return {time, map.stats(),
             static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount())};
 }
 
 double insertIntoOctoMap(const std::vector<bench::PointCloudScan>& scans) {
     mrpt::maps::COctoMap map(0.05);
-    mrpt::system::CTicTac clock;
-    for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
-    return clock.Tac();
+    return seconds([&] {
+        for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
+    });
 }
 
 template <class Map>
 double insertInto(Map map, const bench::Scene& scene) {
-    mrpt::system::CTicTac clock;
-    for (const auto& scan : scene.scans) map.insert(scan);
-    return clock.Tac();
+    return seconds([&] {
+        for (const auto& scan : scene.scans) map.insert(scan);
+    });
 }
 
 void compare(const bench::Scene& scene) {
@@ -101,18 +98,18 @@ void query(const bench::Scene& scene) {
     for (std::size_t i = 0; i < kQueries; i++)
         points.emplace_back(7 * u(random), 10 * u(random), 2 * u(random));
     double sum = 0;
-    mrpt::system::CTicTac clock;
-    for (const auto& p : points)
-        if (const auto cell = map.cell(p.x, p.y, p.z)) sum += cell->occupancy();
-    const double queries = clock.Tac();
+    const double queries = seconds([&] {
+        for (const auto& p : points)
+            if (const auto cell = map.cell(p.x, p.y, p.z)) sum += cell->occupancy();
+    });
     constexpr int kVisits = 10;
     std::size_t cells = 0;
-    clock.Tic();
-    for (int i = 0; i < kVisits; i++)
-        map.grid().forEachCell([&](const CellIndex&, float alpha, float) {
-            sum += static_cast<double>(alpha), cells++;
-        });
-    const double visits = clock.Tac();
+    const double visits = seconds([&] {
+        for (int i = 0; i < kVisits; i++)
+            map.grid().forEachCell([&](const CellIndex&, float alpha, float) {
+                sum += static_cast<double>(alpha), cells++;
+            });
+    });
     std::printf("queries in a map of %zu cells (sum %.3g)\n", map.cellCount(), sum);
     std::printf("  random points      %.1f million a second and thread\n",
                 kQueries / queries / 1e6);
@@ -120,26 +117,39 @@ void query(const bench::Scene& scene) {
                 static_cast<double>(cells) / visits / 1e6);
 }
 
-/** A 16-beam lidar at 10 m range: the median time of an insertion on two threads, and that of
- * late ones beside early ones. */
-void drive() {
-    constexpr std::size_t kScans = 40, kEnds = 10;
-    const bench::LidarDrive lidar = bench::simulatedLidar(kScans);
-    AkiMap map;
+/** Inserts a drive as it comes. \return the times [s] of the updates */
+std::vector<double> updates(AkiMap& map, const bench::LidarDrive& drive, std::size_t first,
+                            app::RealtimeGate& gate) {
     map.insertionOptions.threads = 2, map.insertionOptions.max_range = 10;
-    std::vector<double> all;
-    for (const auto& scan : lidar.scans) {
-        mrpt::system::CTicTac clock;
-        map.insertRays(scan);
-        all.push_back(clock.Tac());
+    std::vector<double> times;
+    for (std::size_t i = first; i < drive.scans.size(); i++) {
+        if (!gate.offer(static_cast<double>(i) / drive.rate)) continue;
+        times.push_back(seconds([&] { map.insertRays(drive.scans[i]); }));
+        gate.used(times.back());
     }
-    const auto early = median({all.begin(), all.begin() + kEnds}),
-               late = median({all.end() - kEnds, all.end()});
-    std::printf("%s, %zu scans of %zu points within 10 m, 2 threads\n", lidar.name.c_str(), kScans,
+    return times;
+}
+
+/** A spinning lidar at 10 m range on two threads: whether it keeps up, and whether the late scans
+ * cost more than in a map that holds nothing else. */
+void drive(const bench::LidarModel& model) {
+    constexpr std::size_t kScans = 40, kLast = 10;
+    const bench::LidarDrive lidar = bench::simulatedLidar(kScans, model);
+    AkiMap map, empty;
+    app::RealtimeGate gate, again;
+    const auto all = updates(map, lidar, 0, gate);
+    const auto last = updates(empty, lidar, kScans - kLast, again);
+    const std::size_t n = std::min(last.size(), all.size());
+    const double late = median({all.end() - static_cast<std::ptrdiff_t>(n), all.end()});
+    std::printf("%s, %zu scans of %zu points, within 10 m, 2 threads\n", lidar.name.c_str(), kScans,
                 lidar.scans.front().size());
+    std::printf("  update             %.1f ms (median), %llu scans lost at %g Hz\n",
+                1e3 * median(all), static_cast<unsigned long long>(gate.lost()), lidar.rate);
+    std::printf("  the last %zu scans  %.2f x what they take in an empty map\n", kLast,
+                late / median(last));
     std::printf(
-        "  insertion          %.1f ms a scan (median); the last %zu take %.2f x the first\n",
-        1e3 * median(all), kEnds, late / early);
+        "  map memory         %.1f bytes a cell with evidence\n",
+        static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount()));
 }
 
 }  // namespace
@@ -148,7 +158,8 @@ int main() try {
     compare(bench::la3dmStructured());
     compare(bench::simulated(app::SceneKind::structured, 1, 0.05));
     query(bench::simulated(app::SceneKind::structured, 1, 0.05));
-    drive();
+    drive(bench::sixteenBeams());
+    drive(bench::denseLidar());
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "bench_speed: %s\n", e.what());

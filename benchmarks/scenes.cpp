@@ -14,24 +14,24 @@ namespace akimap::bench {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr std::size_t kBeams = 16;
-constexpr double kBeamStep = 2 * kDegree, kHighestBeam = 15 * kDegree;
 constexpr double kNearest = 0.3;  // [m]
 
 mrpt::poses::CPose3D lidarAt(const app::World& world, double time) {
     return world.trajectory.at(time) + mrpt::poses::CPose3D(0, 0, 1, 0, 0, 0);
 }
 
-/** One turn of a lidar of 16 beams. \param directions of each beam */
-std::vector<Ray> takeRings(const app::World& world, double time, std::size_t directions,
+/** One turn of a lidar. */
+std::vector<Ray> takeRings(const app::World& world, double time, const LidarModel& lidar,
                            app::Random& random) {
     const mrpt::poses::CPose3D sensor = lidarAt(world, time);
     const mrpt::math::TPoint3D origin = sensor.translation();
     std::vector<Ray> rays;
-    for (std::size_t i = 0; i < kBeams * directions; i++) {
-        const double elevation = static_cast<double>(i % kBeams) * kBeamStep - kHighestBeam;
-        const double azimuth =
-            2 * M_PI * static_cast<double>(i / kBeams) / static_cast<double>(directions);
+    for (std::size_t i = 0; i < lidar.beams * lidar.directions; i++) {
+        const auto beam = static_cast<double>(i % lidar.beams),
+                   turn = static_cast<double>(i / lidar.beams);
+        const double elevation =
+            kDegree * lidar.height * (2 * beam / static_cast<double>(lidar.beams - 1) - 1);
+        const double azimuth = 2 * M_PI * turn / static_cast<double>(lidar.directions);
         const auto direction =
             sensor.rotateVector({std::cos(elevation) * std::cos(azimuth),
                                  std::cos(elevation) * std::sin(azimuth), std::sin(elevation)});
@@ -78,13 +78,14 @@ Scene simulatedRings(uint64_t seed, double resolution) {
     const app::Drive drive = app::makeDrive(room, false, seed);
     const app::World world{room, drive.trajectory, false, kNoise, kRange};
     app::Random random(seed, 4);
+    const LidarModel lidar{"", 16, 900, 15};
+    const double highest = kDegree * lidar.height;
     Scene scene{"unstructured, lidar", {}, {}, boxToScore(), kRange};
     std::vector<app::View> views;
     for (const double time : drive.scan_times) {
-        scene.scans.push_back(takeRings(world, time, 900, random));
-        views.push_back({lidarAt(world, time),
-                         app::FieldOfView::band(0, M_PI, -kHighestBeam, kHighestBeam), kNearest,
-                         kRange});
+        scene.scans.push_back(takeRings(world, time, lidar, random));
+        views.push_back({lidarAt(world, time), app::FieldOfView::band(0, M_PI, -highest, highest),
+                         kNearest, kRange});
     }
     scene.truth = app::truthOf(*app::visibleTruth(room, views, resolution));
     return scene;
@@ -123,18 +124,18 @@ Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
     return s;
 }
 
-LidarDrive simulatedLidar(std::size_t scans) {
+LidarDrive simulatedLidar(std::size_t scans, const LidarModel& model) {
     constexpr double kRange = 60, kNoise = 0.01;
     const app::Scene scene = app::makeScene(app::SceneKind::structured, 1);
     const app::Trajectory trajectory = app::makeDrive(scene, false, 1).trajectory;
     const app::World world{scene, trajectory, false, kNoise, kRange};
     app::Random random(1, 4);
-    LidarDrive drive{"simulated lidar", {}, 10};
+    LidarDrive drive{model.name, {}, 10};
     const double start = trajectory.keyframes().front().time,
                  span = trajectory.keyframes().back().time - start;
     for (std::size_t n = 0; n < scans; n++) {
         const double t = std::fmod(static_cast<double>(n) / drive.rate, span);
-        drive.scans.push_back(takeRings(world, start + t, 1875, random));
+        drive.scans.push_back(takeRings(world, start + t, model, random));
     }
     return drive;
 }

@@ -56,9 +56,23 @@ struct LidarDrive {
     double rate;  ///< [Hz]
 };
 
-/** Through the simulated structured room at 10 Hz: 16 beams within 15 degrees of level, 1875
- * directions each. */
-[[nodiscard]] LidarDrive simulatedLidar(std::size_t scans);
+/** A spinning lidar: beams evenly apart between level +- height, in so many directions each. */
+struct LidarModel {
+    std::string name;
+    std::size_t beams, directions;
+    double height;  ///< [degrees]
+};
+[[nodiscard]] inline LidarModel sixteenBeams() {
+    return {"simulated lidar", 16, 1875, 15};
+}
+/** Some 73,000 returns a scan. */
+[[nodiscard]] inline LidarModel denseLidar() {
+    return {"simulated dense lidar", 64, 1250, 22.5};
+}
+
+/** Through the simulated structured room at 10 Hz. */
+[[nodiscard]] LidarDrive simulatedLidar(std::size_t scans,
+                                        const LidarModel& model = sixteenBeams());
 
 using app::asPointCloud;
 using app::PointCloudScan;

@@ -36,8 +36,10 @@ std::vector<DrawnCell> drawnCells(const AkiMap& map) {
 class HeightColors {
  public:
     explicit HeightColors(const std::vector<DrawnCell>& cells) {
-        for (const auto& c : cells)
-            low_ = std::min(low_, c.center.z), high_ = std::max(high_, c.center.z);
+        for (const auto& c : cells) {
+            const float z = c.center.z;  // no reference to it: MRPT packs its points, unaligned
+            low_ = std::min(low_, z), high_ = std::max(high_, z);
+        }
     }
     [[nodiscard]] TColorf operator()(const DrawnCell& c) const {
         if (!c.occupied) return {0.6f, 0.8f, 0.6f, 0.1f};
