@@ -12,6 +12,8 @@ sources="CMakeLists.txt cmake libs apps benchmarks share"
 recordings=${RECORDINGS:-3}
 
 surfels=libs/akimap/src/surfels.cpp
+balls=libs/akimap/src/ball_moments.h
+marks=libs/akimap/src/marks.cpp
 evidence=libs/akimap/src/evidence.cpp
 insert=libs/akimap/src/AkiMap_insert.cpp
 
@@ -26,14 +28,17 @@ rows() {
     row 'β += b, the surface not first' $evidence 's/b \*= one - a;//'
     row 'α += a' $evidence "$(to kSurfaceWeight 1)"
     row 'faint tails count everywhere' $evidence "$(to kLeastSurface 0)"
-    row 'balls shrink towards the hit, not its plane' $evidence 's/if \(s\.flat\)/if (false)/'
-    row '1 instead of 1.5 in ρ' $evidence "$(to kClearance 1)"
-    row '5 neighbours' $surfels "$(to kEnough 5)"
-    row '20 neighbours' $surfels "$(to kEnough 20)"
+    row 'balls shrink towards the hit, not its plane' $marks 's/if \(s\.flat\)/if (false)/'
+    row '1 instead of 1.5 in ρ' $marks "$(to kClearance 1)"
+    row '5 neighbours' $balls "$(to kEnough 5)"
+    row '20 neighbours' $balls "$(to kEnough 20)"
     row '0.6 h across the surface' $surfels "$(to kThinnest 0.6)"
     row '1.2 h' $surfels "$(to kThinnest 1.2)"
     row '2 √v along it' $surfels "$(to kWidth 2)"
-    row 'no tubes (but then 2D scans carve nothing)' $surfels "$(to kLine 0)"
+    row '4 √v' $surfels "$(to kWidth 4)"
+    row 'flat up to v1 = 0.1 v2' $surfels "$(to kFlat 0.1)"
+    row 'hits on lines as thick as wide' $surfels "$(to kLineThinnest 2)"
+    row 'no lines (but then 2D scans carve nothing)' $surfels "$(to kLine 0)"
 }
 
 fail() { echo "ablations.sh: $*" >&2; exit 1; }
