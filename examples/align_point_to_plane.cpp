@@ -107,6 +107,7 @@ class Planes {
 Eigen::Isometry3d alignToPlanes(Planes& planes, const Cloud& scan, Eigen::Isometry3d T) {
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     constexpr double kSmallestReach = 0.05;  // [m]
+    constexpr double kFacing = -0.3;         // cosine; planes seen edge-on are rough
     double reach = 0.5;                      // [m]
     for (int i = 0; i < 100; i++) {
         Eigen::Matrix<double, 6, 6> A = 1e-6 * Eigen::Matrix<double, 6, 6>::Identity();
@@ -115,7 +116,8 @@ Eigen::Isometry3d alignToPlanes(Planes& planes, const Cloud& scan, Eigen::Isomet
         for (const Eigen::Vector3d& p : scan.points) {
             const Eigen::Vector3d turned = T.linear() * p, placed = turned + T.translation();
             const auto* plane = planes.nearest(placed, reach);
-            if (!plane || plane->normal.dot(sensor - plane->point) <= 0) continue;
+            if (!plane || plane->normal.dot((sensor - plane->point).normalized()) <= kFacing)
+                continue;
             Vector6 J;
             J << turned.cross(plane->normal), plane->normal;
             A += plane->confidence * J * J.transpose();
