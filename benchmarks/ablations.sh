@@ -21,7 +21,7 @@ insert=libs/akimap/src/AkiMap_insert.cpp
 to() { printf '%s\n' "s/(\\b$1 = )[0-9.]+f?/\\1$2/"; }
 rows() {
     row 'as it is'
-    row '`free_radius` = 0.2 m' $insert 's/p\.free_radius/0.2/'
+    row '`free_radius` = 0.25 m' $insert 's/p\.free_radius/0.25/'
     row '`free_radius` = 0.3 m' $insert 's/p\.free_radius/0.3/'
     row '`free_radius` = 0.4 m' $insert 's/p\.free_radius/0.4/'
     row 'hits stay where they are' $surfels 's/shift = normal \* .*;/shift.setZero();/'

@@ -37,7 +37,7 @@ AkiMap everyOptionChanged() {
     auto& o = map.insertionOptions;
     o.beyond_max_range = BeyondMaxRange::free;
     o.max_evidence = 50;
-    o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.2;
+    o.estimator = Estimator::paper, o.surface_range = 0.3, o.free_radius = 0.3;
     o.min_range = 0.5, o.max_range = 20, o.sampling_distance = 0.7, o.search_range_origin = 0.1;
     o.search_range_max = 0.6, o.search_region = SearchRegion::ball, o.covariance_floor = 2e-3;
     o.covariance_center = CovarianceCenter::mean, o.bandwidth = Bandwidth::covariance;

@@ -57,7 +57,7 @@ struct InsertionParameters {
     Estimator estimator = Estimator::surface;
     double surface_range =
         0.5;  ///< [m] > 0. Neighbours of a hit are sought no farther (estimator = surface)
-    double free_radius = 0.25;  ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
+    double free_radius = 0.2;   ///< [m] > 0. Free space reaches so far from a ray, 1.5 to 8 cells
                                 ///< (estimator = surface)
     double max_evidence = 100;  ///< [-] 0 or >= 1. alpha + beta of a cell is scaled down to it, so
                                 ///< that old scans fade; 0: never (estimator = surface)
