@@ -73,13 +73,18 @@ void heldOut(Report& report, const std::vector<std::pair<std::string, Scene>>& s
 }
 
 void onTheFly(Report& report, std::ostream& out) {
-    report.doing("simulated lidar: scans");
-    const LidarDrive drive = simulatedLidar(150);
-    out << heading("On the fly") << "A simulated lidar of 16 beams in a room, "
-        << drive.scans.front().size()
-        << " returns a scan, 10 Hz, 5 cm cells, 10 m range. A scan is lost if it comes during an "
-           "update, by a virtual clock.\n\n"
-        << onTheFlySection(report, drive, "lidar");
+    out << heading("On the fly")
+        << "Simulated lidars in a room, 10 Hz, 5 cm cells, 10 m range. A scan is lost if it comes "
+           "during an update, by a virtual clock.\n";
+    const std::pair<const char*, LidarModel> lidars[] = {{"lidar", sixteenBeams()},
+                                                         {"dense_lidar", denseLidar()}};
+    for (const auto& [name, model] : lidars) {
+        report.doing(model.name + ": scans");
+        const LidarDrive drive = simulatedLidar(100, model);
+        out << "\n### " << model.name << ": " << model.beams << " beams, "
+            << drive.scans.front().size() << " returns a scan\n\n"
+            << onTheFlySection(report, drive, name);
+    }
 }
 
 std::vector<std::pair<std::string, Scene>> withScans(
