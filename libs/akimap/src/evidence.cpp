@@ -13,6 +13,22 @@ namespace {
 constexpr float kLeastSurface = 0.1f;  // of a, where nothing else is known of a cell
 constexpr float kSurfaceWeight = 2;    // a surface counts as much as so many free spaces
 
+/** Allocates blocks whose cells are still to be written. */
+template <class T>
+struct Unwritten : std::allocator<T> {
+    template <class U>
+    struct rebind {
+        using other = Unwritten<U>;
+    };
+    Unwritten() = default;
+    template <class U>
+    explicit Unwritten(const Unwritten<U>&) {}
+    template <class U>
+    void construct(U* p) {
+        ::new (static_cast<void*>(p)) U;
+    }
+};
+
 /** What one scan says of a block: the sums of its surface kernels, and its power distances; either
  * may be missing. */
 struct ScanBlock {
@@ -33,14 +49,17 @@ AKIMAP_INLINE void boundSum(float bound, Row& alpha, Row& beta) {
     }
 }
 
-/** Adds one scan to a block. \return whether a cell of it gained evidence */
-AKIMAP_MULTIVERSION
-bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, Block& block) {
+/** Adds one scan to a block, whose cells are not read but written if it is fresh.
+ * \return whether a cell of it gained evidence */
+template <bool fresh>
+AKIMAP_INLINE bool addRows(const ScanBlock& scan, float inverse_limit, float bound, Block& block) {
     using Powers = uint16_t __attribute__((vector_size(16)));
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
     RowMask gained{};
     for (int i = 0; i < Block::kCells; i += Block::kSide) {
-        Row alpha = loadRow(block.alpha.data() + i), beta = loadRow(block.beta.data() + i);
+        Row alpha{}, beta{};
+        if constexpr (!fresh)
+            alpha = loadRow(block.alpha.data() + i), beta = loadRow(block.beta.data() + i);
         Row a{}, b{};
         if (scan.power) {
             Powers power;
@@ -63,6 +82,12 @@ bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, Block& bl
     return bitsOf(gained != 0) != 0;
 }
 
+AKIMAP_MULTIVERSION
+bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, bool fresh, Block& block) {
+    return fresh ? addRows<true>(scan, inverse_limit, bound, block)
+                 : addRows<false>(scan, inverse_limit, bound, block);
+}
+
 /** Lists the blocks that the scan says anything of. */
 void listBlocks(const ScatterScratch& kernels, const FreeSpace& free,
                 std::vector<EvidenceBlock>& blocks) {
@@ -80,7 +105,7 @@ void listBlocks(const ScatterScratch& kernels, const FreeSpace& free,
 
 /** Adds the scan to a block of the map. \return whether a cell of it gained evidence */
 bool addScan(const EvidenceBlock& b, const ScatterScratch& kernels, const FreeSpace& free,
-             float inverse_limit, float bound, Block& block) {
+             float inverse_limit, float bound, bool fresh, Block& block) {
     alignas(32) float surface[Block::kCells];
     ScanBlock scan{nullptr, nullptr};
     if (b.power != KeyTable::kNone) scan.power = free.plane(b.power).data();
@@ -89,7 +114,7 @@ bool addScan(const EvidenceBlock& b, const ScatterScratch& kernels, const FreeSp
         if (addKernels(kernels, b.kernels, kernels.kernels.size(), surface, nullptr))
             scan.surface = surface;
     }
-    return addBlock(scan, inverse_limit, bound, block);
+    return addBlock(scan, inverse_limit, bound, fresh, block);
 }
 
 }  // namespace
@@ -108,14 +133,15 @@ bool addEvidence(const CellIndex& anchor, const ScatterScratch& kernels, const F
         s.blocks[b] = grid.own(blockInMap(s.touched[b].key, anchor));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
         if (s.blocks[b]) return;
-        s.fresh[b] = std::make_shared<Block>();
+        s.fresh[b] = std::allocate_shared<Block>(Unwritten<Block>());
         s.blocks[b] = s.fresh[b].get();
     });
     const auto bound = max_evidence > 0 ? static_cast<float>(max_evidence)
                                         : std::numeric_limits<float>::infinity();
     const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        s.reached[b] = addScan(s.touched[b], kernels, free, inverse_limit, bound, *s.blocks[b]);
+        s.reached[b] = addScan(s.touched[b], kernels, free, inverse_limit, bound,
+                               s.fresh[b] != nullptr, *s.blocks[b]);
     });
 
     bool changed = false;

@@ -33,6 +33,10 @@ AKIMAP_INLINE Row loadRow(const float* p) {
     using Unaligned = float __attribute__((vector_size(32), aligned(4)));
     return *reinterpret_cast<const Unaligned*>(p);
 }
+AKIMAP_INLINE DoubleRow loadRow(const double* p) {
+    using Unaligned = double __attribute__((vector_size(32), aligned(8)));
+    return *reinterpret_cast<const Unaligned*>(p);
+}
 AKIMAP_INLINE void storeRow(float* p, Row v) {
     using Unaligned = float __attribute__((vector_size(32), aligned(4)));
     *reinterpret_cast<Unaligned*>(p) = v;
@@ -71,6 +75,14 @@ AKIMAP_INLINE uint32_t bitsOf(RowMask m) {
                                       __builtin_shufflevector(m, m, 4, 5, 6, 7));
     const uint64_t both = w[0] | w[1];
     return static_cast<uint32_t>(both | both >> 32);
+}
+/** The lanes as bytes, lane 0 the lowest; each is < 256. */
+AKIMAP_INLINE uint64_t bytesOf(RowMask m) {
+    using Words = uint64_t __attribute__((vector_size(32)));
+    const Words two = (Words)m | (Words)m >> 24;  // lanes in the lowest bytes
+    const Words w = (two & 0xffff) << Words{0, 16, 32, 48};
+    const auto half = __builtin_shufflevector(w, w, 0, 1) | __builtin_shufflevector(w, w, 2, 3);
+    return half[0] | half[1];
 }
 /** Of the lanes, in doubles. */
 AKIMAP_INLINE double sumOf(Row v) {

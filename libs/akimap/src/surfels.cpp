@@ -5,9 +5,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "ball_moments.h"
+#include "principal_axes.h"
 
 namespace akimap {
 namespace {
@@ -35,10 +37,12 @@ class Fitter {
           narrowest_(kNarrowest * resolution),
           widest_(widestSurfel(p, resolution)) {}
 
-    /** \param towards_sensor of unit length
+    /** \param variance in increasing order, about the mean, and \param axes theirs, in columns
+     * \param towards_sensor of unit length
      * \param shift where the hit belongs, relative to itself [m] */
-    void fit(const BallMoments& m, const Eigen::Vector3d& towards_sensor, Surfel& surfel,
-             Symmetric3& H, Eigen::Vector3d& shift) const {
+    void fit(const BallMoments& m, const Eigen::Vector3d& variance, const Eigen::Matrix3d& axes,
+             const Eigen::Vector3d& towards_sensor, Surfel& surfel, Symmetric3& H,
+             Eigen::Vector3d& shift) const {
         surfel = {{0, 0, 0}, false};
         shift.setZero();
         if (m.n < 3) {
@@ -46,15 +50,6 @@ class Fitter {
             H = {v, 0, 0, v, 0, v};
             return;
         }
-        const Eigen::Vector3d mean = Eigen::Vector3d(m.x, m.y, m.z) / m.w;
-        Eigen::Matrix3d second;
-        second << m.m2.xx, m.m2.xy, m.m2.xz, m.m2.xy, m.m2.yy, m.m2.yz, m.m2.xz, m.m2.yz, m.m2.zz;
-        const Eigen::Matrix3d covariance =
-            (second / m.w - mean * mean.transpose()) * (m.n - 1) / m.n;
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-        solver.computeDirect(covariance);
-        const Eigen::Vector3d variance = solver.eigenvalues().cwiseMax(0);
-        const Eigen::Matrix3d& axes = solver.eigenvectors();
         if (variance[1] < kLine * variance[2]) {
             surfel = facing(towards_sensor, axes.col(2));
             H = alongLine(axes.col(2), squaredSemiAxes(variance)[2], surfel);
@@ -62,7 +57,7 @@ class Fitter {
         }
         if (m.n >= kFewestOfPlane && variance[0] < kFlat * variance[1]) {
             const Eigen::Vector3d normal = axes.col(0);
-            shift = normal * normal.dot(mean);
+            shift = normal * (normal.dot(Eigen::Vector3d(m.x, m.y, m.z)) / m.w);
             surfel = flatSurfel(normal);
         }
         H = symmetric(axes * squaredSemiAxes(variance).asDiagonal() * axes.transpose());
@@ -109,6 +104,27 @@ Eigen::Vector3d towardsSensor(const Ray& r) {
         .normalized();
 }
 
+/** About the mean. */
+AKIMAP_INLINE Symmetric3 covarianceOf(const BallMoments& m) {
+    const double x = m.x / m.w, y = m.y / m.w, z = m.z / m.w, unbiased = (m.n - 1) / m.n;
+    return {(m.m2.xx / m.w - x * x) * unbiased, (m.m2.xy / m.w - x * y) * unbiased,
+            (m.m2.xz / m.w - x * z) * unbiased, (m.m2.yy / m.w - y * y) * unbiased,
+            (m.m2.yz / m.w - y * z) * unbiased, (m.m2.zz / m.w - z * z) * unbiased};
+}
+
+/** Of the neighbours of n hits. */
+AKIMAP_INLINE PrincipalAxes axesOf(const BallMoments* moments, std::size_t n) {
+    static_assert(kTogether == 8);
+    alignas(32) float m[6][kTogether] = {};
+    for (std::size_t k = 0; k < n; k++) {
+        const Symmetric3 c = covarianceOf(moments[k]);
+        const double values[] = {c.xx, c.xy, c.xz, c.yy, c.yz, c.zz};
+        for (std::size_t i = 0; i < 6; i++) m[i][k] = static_cast<float>(values[i]);
+    }
+    return principalAxes(
+        {loadRow(m[0]), loadRow(m[1]), loadRow(m[2]), loadRow(m[3]), loadRow(m[4]), loadRow(m[5])});
+}
+
 AKIMAP_MULTIVERSION
 void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<KeptRay>& rays,
               const SurfelScratch& s, std::size_t begin, std::size_t end, Samples& hits,
@@ -119,10 +135,18 @@ void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<
         const uint32_t* group = &s.rows.order()[place];
         n = search.together(group, end - place);
         search.moments(group, n, near, moments);
+        const PrincipalAxes found = axesOf(moments, n);
         for (std::size_t k = 0; k < n; k++) {
             const uint32_t i = group[k];
             Eigen::Vector3d shift;
-            fitter.fit(moments[k], towardsSensor(*rays[i].ray), surfels[i], H[i], shift);
+            Eigen::Vector3d variance;
+            Eigen::Matrix3d axes;
+            for (int a = 0; a < 3; a++) {
+                variance[a] = std::max(0.0, static_cast<double>(found.value[a][k]));
+                for (int c = 0; c < 3; c++) axes(c, a) = static_cast<double>(found.axis[a][c][k]);
+            }
+            fitter.fit(moments[k], variance, axes, towardsSensor(*rays[i].ray), surfels[i], H[i],
+                       shift);
             hits.x[i] += static_cast<float>(shift[0]);
             hits.y[i] += static_cast<float>(shift[1]);
             hits.z[i] += static_cast<float>(shift[2]);
