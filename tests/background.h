@@ -25,7 +25,7 @@ class Background {
         }
     }
     ~Background() {
-        if (process_ > 0) kill(process_, SIGKILL), (void)wait();
+        if (process_ > 0) kill(process_, SIGKILL), waitpid(process_, nullptr, 0);
     }
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
@@ -50,7 +50,9 @@ class Background {
         waitpid(process_, &status, 0);
         process_ = -1;
         const int exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-        return {exit, readText(output_ + ".out"), readText(output_ + ".err")};
+        ::Run run{exit, readText(output_ + ".out"), readText(output_ + ".err")};
+        expectNoSanitizerReport(run);
+        return run;
     }
 
  private:

@@ -55,6 +55,12 @@ struct Run {
     std::string out, err;
 };
 
+/** Throws if a sanitizer stopped the program: its exit status, 1, passes for a refusal. */
+inline void expectNoSanitizerReport(const Run& run) {
+    for (const char* mark : {"Sanitizer: ", "Sanitizer:DEADLYSIGNAL", ": runtime error: "})
+        if (run.err.find(mark) != std::string::npos) throw std::runtime_error(run.err);
+}
+
 /** Runs a command line through the shell; arguments with blanks or * need quotes of their own. */
 [[nodiscard]] inline Run runCommand(const std::string& command) {
     const TemporaryFolder folder;
@@ -62,7 +68,9 @@ struct Run {
     const int status =
         std::system(("( " + command + " ) >'" + out + "' 2>'" + err + "' </dev/null").c_str());
     const int exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    return {exit, readText(out), readText(err)};
+    Run run{exit, readText(out), readText(err)};
+    expectNoSanitizerReport(run);
+    return run;
 }
 
 #ifdef AKIMAP_PROGRAM
