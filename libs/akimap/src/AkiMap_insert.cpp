@@ -13,7 +13,6 @@
 #include <stdexcept>
 
 #include "Scratch.h"
-#include "free_beams.h"
 
 namespace akimap {
 namespace {

@@ -17,27 +17,31 @@ namespace {
 constexpr double kClearance = 1.5;   // a ball's radius over its distance from the hit's plane
 constexpr double kStep = 0.5;        // from ball to ball, over the radius
 constexpr double kLeastBall = 0.25;  // [cells]
+constexpr double kOffCenter = 0.9;  // [cells] balls are centred on cells: half a diagonal, rounding
 
-/** Of a ray, away from its hit: where balls go. */
+/** Of a ray, away from its end: where balls go. */
 struct Walk {
-    DoubleRow end, back;  // [cells] the hit, and the unit vector towards the origin
+    DoubleRow end, back;  // [cells] the ray's end, and the unit vector towards the origin
     double length;        // [cells]
-    double rise;          // distance gained from the hit's surface on the way, in [0, 1]
+    double slope, start;  // a ball t cells from the end has the radius slope * (t - start), up to R
 };
 
-AKIMAP_INLINE Walk walkOf(const Ray& r, const Surfel& s, double per_cell) {
+AKIMAP_INLINE Walk walkOf(const Ray& r, double per_cell, double slope, double start) {
     double back[3];
     for (std::size_t i = 0; i < 3; i++) back[i] = r.origin[i] - r.end[i];
     const double length = std::hypot(back[0], back[1], back[2]);
     for (double& b : back) b /= length;
-    Walk w{DoubleRow{r.end[0], r.end[1], r.end[2]} * per_cell,
-           {back[0], back[1], back[2]},
-           length * per_cell,
-           1};
+    const DoubleRow end = DoubleRow{r.end[0], r.end[1], r.end[2]} * per_cell;
+    return {end, DoubleRow{back[0], back[1], back[2]}, length * per_cell, slope, start};
+}
+
+/** From a hit, whose plane the balls hardly cross. */
+AKIMAP_INLINE Walk walkFrom(const Ray& r, const Surfel& s, double per_cell) {
+    Walk w = walkOf(r, per_cell, kClearance, 0);
     if (s.flat)
-        w.rise = std::abs(back[0] * static_cast<double>(s.normal[0]) +
-                          back[1] * static_cast<double>(s.normal[1]) +
-                          back[2] * static_cast<double>(s.normal[2]));
+        w.slope *= std::abs(w.back[0] * static_cast<double>(s.normal[0]) +
+                            w.back[1] * static_cast<double>(s.normal[1]) +
+                            w.back[2] * static_cast<double>(s.normal[2]));
     return w;
 }
 
@@ -55,7 +59,7 @@ AKIMAP_INLINE std::size_t markRay(const Walk& w, double radius, const CellIndex&
                                   FreeSpace& free) {
     std::size_t balls = 0;
     double t = 1;
-    for (double ball; t < w.length && (ball = kClearance * t * w.rise) < radius;
+    for (double ball; t < w.length && (ball = w.slope * (t - w.start)) < radius;
          t += std::max(1.0, kStep * ball)) {
         if (ball < kLeastBall) continue;
         balls++;
@@ -72,7 +76,7 @@ std::size_t markRange(const KeptRay* rays, const Surfel* surfels, std::size_t n,
                       double per_cell, const CellIndex& anchor, FreeSpace& free) {
     std::size_t balls = 0;
     for (std::size_t i = 0; i < n; i++)
-        balls += markRay(walkOf(*rays[i].ray, surfels[i], per_cell), radius, anchor, free);
+        balls += markRay(walkFrom(*rays[i].ray, surfels[i], per_cell), radius, anchor, free);
     return balls;
 }
 
@@ -94,6 +98,14 @@ std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>
                            1 / resolution, anchor, part);
     });
     for (std::size_t p = 1; p < n; p++) free.merge(parts[p]);
+    return balls;
+}
+
+std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double resolution,
+                          const CellIndex& anchor, FreeSpace& free) {
+    std::size_t balls = 0;
+    for (const Ray& r : beams)
+        balls += markRay(walkOf(r, 1 / resolution, 1, kOffCenter), radius, anchor, free);
     return balls;
 }
 
