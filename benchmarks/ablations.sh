@@ -11,11 +11,11 @@ original=$scratch/build/original
 sources="CMakeLists.txt cmake libs apps benchmarks share"
 recordings=${RECORDINGS:-3}
 
-surfels=libs/akimap/src/surfels.cpp
-balls=libs/akimap/src/ball_moments.h
-marks=libs/akimap/src/marks.cpp
-evidence=libs/akimap/src/evidence.cpp
-insert=libs/akimap/src/AkiMap_insert.cpp
+surfels=libs/akimap/src/estimators/surface/hit_planes.cpp
+balls=libs/akimap/src/estimators/surface/ball_moments.h
+marks=libs/akimap/src/estimators/surface/free_rays.cpp
+evidence=libs/akimap/src/estimators/surface/evidence.cpp
+insert=libs/akimap/src/mrpt/AkiMap_insert.cpp
 
 # The rows: row NAME [FILE EXPRESSION]..., EXPRESSION for sed -E. `to NAME VALUE` sets a constant.
 to() { printf '%s\n' "s/(\\b$1 = )[0-9.]+f?/\\1$2/"; }

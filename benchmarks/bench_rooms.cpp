@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
-#include "Scratch.h"
+#include "mrpt/Scratch.h"
 #include "scenes.h"
 
 using namespace akimap;

@@ -11,9 +11,9 @@
 #include <tuple>
 #include <vector>
 
-#include "bandwidth.h"
-#include "kernel.h"
-#include "sampling.h"
+#include "estimators/hits.h"
+#include "estimators/kernels/kernel_function.h"
+#include "estimators/paper/bandwidth.h"
 
 namespace akimap::reference {
 

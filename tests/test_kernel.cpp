@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "kernel.h"
+#include "estimators/kernels/kernel_function.h"
 
 using namespace akimap;
 

@@ -15,7 +15,7 @@
 #include <map>
 #include <thread>
 
-#include "fields.h"
+#include "mrpt/option_fields.h"
 #include "random_scans.h"
 #include "run_program.h"
 #include "same_map.h"

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "NeighborRows.h"
+#include "numeric/NeighborRows.h"
 
 using akimap::Bounds;
 using akimap::NeighborRows;

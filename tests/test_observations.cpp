@@ -15,7 +15,7 @@
 #include <cstring>
 #include <set>
 
-#include "mrpt_compat.h"
+#include "mrpt/mrpt_compat.h"
 #include "random_scans.h"
 #include "same_map.h"
 

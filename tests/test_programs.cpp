@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "build_fixture.h"
-#include "mrpt_compat.h"
+#include "mrpt/mrpt_compat.h"
 #include "same_map.h"
 
 namespace {

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <random>
 
+#include "estimators/kernels/kernel_function.h"
 #include "evaluation/evaluate.h"
 #include "input/PcdReader.h"
-#include "kernel.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
 #include "rivals/GmmMap.h"

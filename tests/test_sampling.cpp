@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "estimators/hits.h"
 #include "random_scans.h"
-#include "sampling.h"
 
 using namespace akimap;
 

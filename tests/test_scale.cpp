@@ -4,8 +4,8 @@
 
 #include <random>
 
+#include "estimators/paper/scale.h"
 #include "reference.h"
-#include "scale.h"
 
 using namespace akimap;
 

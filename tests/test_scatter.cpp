@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include "Scratch.h"
+#include "mrpt/Scratch.h"
 #include "random_scans.h"
 #include "reference.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "Scratch.h"
+#include "mrpt/Scratch.h"
 #include "random_scans.h"
 #include "sanitized.h"
 

@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "Sample.h"
-#include "mrpt_compat.h"
+#include "mrpt/mrpt_compat.h"
 #include "simulation/simulate.h"
 
 #if AKIMAP_HAS_ROTATING_SCAN

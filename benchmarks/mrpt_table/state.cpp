@@ -9,7 +9,7 @@
 #include <set>
 
 #include "Row.h"
-#include "mrpt_compat.h"
+#include "mrpt/mrpt_compat.h"
 
 namespace akimap::bench {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "kernel.h"
+#include "estimators/kernels/kernel_function.h"
 
 namespace akimap::bench {
 namespace {

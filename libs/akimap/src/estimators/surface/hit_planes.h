@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "estimators/paper/bandwidth.h"
+
+namespace akimap {
+
+/** The surface around a hit. */
+struct Surfel {
+    std::array<float, 3> normal;  ///< of unit length, either way; only if `flat`
+    bool flat;                    ///< whether the neighbours lie in a plane
+};
+
+/** Buffers of fitSurfels(), kept between scans. */
+struct SurfelScratch {
+    NeighborRows rows;
+    std::vector<float> x, y, z;
+};
+
+/** Room 3 of the surface estimator: the local surface around each hit, by the covariance of its
+ * neighbours about their mean. The neighbours lie in the smallest of a few balls that holds enough
+ * of them. Moves hits on flat surfaces onto their plane, and gives each an ellipsoid H [m^2]: as
+ * thin across the surface as the cells allow, and along it wide enough to reach the next hits.
+ * \param rays of the hits
+ * \param hits occupied samples only
+ * The same for any number of threads; runs in the caller's TBB arena. */
+void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits,
+                const InsertionParameters& parameters, double resolution, SurfelScratch& scratch,
+                std::vector<Surfel>& surfels, std::vector<Symmetric3>& H);
+
+/** The longest semi-axis [m] that fitSurfels() gives a hit on a surface. */
+[[nodiscard]] double widestSurfel(const InsertionParameters& p, double resolution);
+
+}  // namespace akimap

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#include <akimap/AkiMap.h>
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/maps/TMetricMapTypesRegistry.h>
+#include <mrpt/rtti/CObject.h>
+#include <mrpt/system/string_utils.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "mrpt/mrpt_compat.h"
+#include "mrpt/option_fields.h"
+
+MAP_DEFINITION_REGISTER("akimap::AkiMap,akimap", akimap::AkiMap)
+IMPLEMENTS_SERIALIZABLE(AkiMap, mrpt::maps::CMetricMap, akimap)
+
+namespace akimap {
+namespace {
+
+/** MRPT's programs tell nobody of a key that they do not know; a mistyped option must not pass
+ * unseen. Names are compared as MRPT does, whatever their case. */
+void warnOfUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
+                       const std::vector<std::string>& known) {
+    std::vector<std::string> keys;
+    source.getAllKeys(section, keys);
+    for (const std::string& key : keys) {
+        const auto is_it = [&](const std::string& name) {
+            return mrpt::system::strCmpI(name, key);
+        };
+        if (std::none_of(known.begin(), known.end(), is_it))
+            std::cerr << "akimap: warning: [" << section << "] unknown key " << key << "\n";
+    }
+}
+
+template <class Parameters>
+void load(LoadableOptions<Parameters>& options, const mrpt::config::CConfigFileBase& source,
+          const std::string& section) {
+    std::vector<std::string> known;
+    visitFields(options, [&](const char* name, auto&, const char*) { known.emplace_back(name); });
+    warnOfUnknownKeys(source, section, known);
+    options.loadFromConfigFile(source, section);
+}
+
+}  // namespace
+
+AkiMap::TMapDefinition::TMapDefinition() = default;
+
+void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
+    const mrpt::config::CConfigFileBase& source, const std::string& prefix) {
+    warnOfUnknownKeys(source, prefix + "_creationOpts",
+                      {"resolution", "enableSaveAs3DObject", "enableObservationInsertion",
+                       "enableObservationLikelihood"});
+    readOption(source, prefix + "_creationOpts", "resolution", resolution);
+    load(insertionOpts, source, prefix + "_insertOpts");
+    load(insertionOpts, source, prefix + "_insertionOpts");
+    load(likelihoodOpts, source, prefix + "_likelihoodOpts");
+    load(renderingOpts, source, prefix + "_renderOpts");
+    load(renderingOpts, source, prefix + "_renderingOpts");
+}
+
+void AkiMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const {
+    LOADABLEOPTS_DUMP_VAR(resolution, double);
+    insertionOpts.dumpToTextStream(out);
+    likelihoodOpts.dumpToTextStream(out);
+    renderingOpts.dumpToTextStream(out);
+}
+
+AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(
+    const mrpt::maps::TMetricMapInitializer& def) {
+    const auto& d = dynamic_cast<const AkiMap::TMapDefinition&>(def);
+    auto map = AKIMAP_NEW_MAP(d.resolution);
+    map->insertionOptions = d.insertionOpts;
+    map->likelihoodOptions = d.likelihoodOpts;
+    map->renderingOptions = d.renderingOpts;
+    return map;
+}
+
+namespace {
+
+/** MRPT also registers each class without its namespace, and reads INI keys without regard to
+ * case: to it `akimap_count = 1` would ask for one map named akimap and for one named AkiMap. */
+void keepOneIniName() {
+    auto& registry = mrpt::maps::internal::TMetricMapTypesRegistry::Instance();
+    using Names =
+        std::remove_const_t<std::remove_reference_t<decltype(registry.getAllRegistered())>>;
+    const_cast<Names&>(registry.getAllRegistered()).erase("AkiMap");
+}
+
+}  // namespace
+
+void registerClasses() {
+    static const bool once = [] {
+        mrpt::rtti::registerClass(CLASS_ID(AkiMap));
+        keepOneIniName();
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
+}  // namespace akimap
+
+namespace {
+// On load, and not by MRPT_INITIALIZER: that may run before MAP_DEFINITION_REGISTER above.
+const bool registered_on_load = (akimap::registerClasses(), true);
+}  // namespace
