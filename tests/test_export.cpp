@@ -17,7 +17,6 @@
 #include <sstream>
 
 #include "input/PcdReader.h"
-#include "output/AtomicFile.h"
 #include "output/export_map.h"
 #include "random_scans.h"
 #include "run_program.h"
@@ -281,39 +280,6 @@ TEST_F(Export, TheProgramRefusesBadInputInOneLine) {
     }
     EXPECT_EQ(readText(file("older.bt")), "older");
     EXPECT_EQ(filesInFolder(), 2u);
-}
-
-TEST(AtomicFile, AppearsWholeOrNotAtAll) {
-    const TemporaryFolder folder;
-    const std::string target = folder.file("a.txt");
-    writeText(target, "older");
-    {
-        const AtomicFile abandoned(target);
-        EXPECT_NE(abandoned.path(), target);
-        EXPECT_EQ(std::filesystem::path(abandoned.path()).extension(), ".txt");
-        writeText(abandoned.path(), "half");
-    }
-    EXPECT_EQ(readText(target), "older");
-    AtomicFile first(target), second(target);
-    EXPECT_NE(first.path(), second.path());
-    writeText(first.path(), "new");
-    first.commit();
-    EXPECT_EQ(readText(target), "new");
-}
-
-TEST(AtomicFile, WritesThroughALinkAndToADevice) {
-    const TemporaryFolder folder;
-    writeText(folder.file("real.txt"), "older");
-    std::filesystem::create_symlink("real.txt", folder.file("link.txt"));
-    AtomicFile through(folder.file("link.txt"));
-    writeText(through.path(), "new");
-    through.commit();
-    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.txt")));
-    EXPECT_EQ(readText(folder.file("real.txt")), "new");
-    AtomicFile device("/dev/null");
-    writeText(device.path(), "gone");
-    device.commit();
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
 }  // namespace

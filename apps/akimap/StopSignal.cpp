@@ -4,6 +4,8 @@
 
 #include <atomic>
 
+#include "support/pending_files.h"
+
 namespace akimap::app {
 
 namespace {
@@ -17,8 +19,9 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 StopSignal::StopSignal() {
     is_requested = false;
     struct sigaction action {};
-    action.sa_handler = [](int) { is_requested = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    action.sa_handler = [](int signal) {
+        if (is_requested.exchange(true)) endBySignal(signal);
+    };
     // Even where it is ignored, as in a script's background jobs: kill -INT is how to end those.
     sigaction(SIGINT, &action, &old_interrupt_);
     sigaction(SIGTERM, &action, &old_terminate_);

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "errors.h"
+#include "support/pending_files.h"
 
 namespace akimap::app {
 
@@ -45,6 +46,7 @@ int runCommands(int argc, char** argv, const std::vector<void (*)(CLI::App&)>& c
         std::vector<std::string> arguments(argv + 1, argv + argc);
         for (std::string& a : arguments)
             if (a.rfind("-.", 0) == 0) a.insert(1, "0");  // CLI11 takes -.5 for an option
+        removePendingFilesOnSignals();
         std::signal(SIGXFSZ, SIG_IGN);  // a file-size limit is an error like a full disk
         const int status = parseAndRun(std::move(arguments), commands);
         if (!std::cout.flush()) throw std::runtime_error("standard output can't be written");

@@ -11,7 +11,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "output/stream.h"
+#include "support/stream.h"
 
 namespace akimap::app {
 

@@ -12,6 +12,7 @@
 #include "errors.h"
 #include "input/files.h"
 #include "mapping/config.h"
+#include "support/ini.h"
 
 namespace akimap::app {
 
@@ -73,8 +74,7 @@ void requireSection(const Ini& ini, const std::string& file, const std::string& 
 }
 
 std::string iniValue(const Ini& ini, const std::string& section, const std::string& key) {
-    const std::string text = ini.read_string(section, key, "");
-    return mrpt::system::trim(text.substr(0, std::min(text.find_first_of(";#"), text.find("//"))));
+    return withoutComment(ini.read_string(section, key, ""));
 }
 
 bool checkMaps(const Ini& ini, const std::string& file, const std::string& section) {

@@ -4,7 +4,6 @@
 
 #include <mrpt/core/Clock.h>
 #include <mrpt/core/format.h>
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationRobotPose.h>
@@ -13,16 +12,15 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
 
-#include "output/AtomicFile.h"
-#include "output/binary_tree.h"
-#include "output/stream.h"
+#include "akimap/output/binary_tree.h"
+#include "support/AtomicFile.h"
+#include "support/gz.h"
+#include "support/stream.h"
 
 namespace fs = std::filesystem;
 
@@ -32,34 +30,13 @@ using mrpt::poses::CPose3D;
 
 namespace {
 
-void require(bool written) {
-    if (!written) throw std::runtime_error("not everything could be written (is the disk full?)");
-}
-
-/** The size of what a gz file holds, modulo 2^32: its last four bytes. */
-uint32_t uncompressedSize(const std::string& file) {
-    std::array<unsigned char, 4> last{};
-    std::ifstream in(file, std::ios::binary);
-    in.seekg(-4, std::ios::end);
-    in.read(reinterpret_cast<char*>(last.data()), last.size());
-    return in ? last[0] | uint32_t(last[1]) << 8 | uint32_t(last[2]) << 16 | uint32_t(last[3]) << 24
-              : 0;
-}
-
-/** Calls write(archive) on a gz file. MRPT's stream doesn't tell when the disk is full. */
+/** Calls write(archive) on a gz file. */
 template <class Write>
 void writeCompressed(const AtomicFile& file, Write&& write) {
-    mrpt::io::CFileGZOutputStream stream;
-    require(stream.open(file.path()));
-    auto archive = mrpt::serialization::archiveFrom(stream);
-    try {
+    writeGz(file.path(), [&](GzWriter& gz) {
+        auto archive = mrpt::serialization::archiveFrom(gz);
         write(archive);
-    } catch (const std::exception&) {
-        require(false);  // what MRPT throws speaks of streams and source lines
-    }
-    const auto size = static_cast<uint32_t>(stream.getPosition());
-    stream.close();
-    require(uncompressedSize(file.path()) == size);
+    });
 }
 
 /** Almost certain: a covariance of zero can't be inverted, as some readers do. */
@@ -143,7 +120,7 @@ void naming(const AtomicFile& file, Write&& write) {
     try {
         write();
     } catch (const std::exception& e) {
-        throw std::runtime_error("cannot write '" + file.target() + "': " + e.what());
+        throwCannotWrite(file.target(), e.what());
     }
 }
 

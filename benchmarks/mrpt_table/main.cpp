@@ -17,7 +17,7 @@
 
 #include "Row.h"
 #include "guard.h"
-#include "output/AtomicFile.h"
+#include "support/AtomicFile.h"
 
 using namespace akimap;
 using namespace akimap::bench;
@@ -96,9 +96,7 @@ void writeInto(const std::string& file, const std::string& table) {
         const auto end = text.find("\n## ", begin + 1);
         text.replace(begin, end == std::string::npos ? end : end - begin, table);
     }
-    app::AtomicFile whole(file);
-    std::ofstream(whole.path(), std::ios::binary) << text;
-    whole.commit();
+    writeWhole(file, text);
 }
 
 }  // namespace

@@ -10,14 +10,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "output/AtomicFile.h"
-#include "output/stream.h"
 #include "report/accuracy.h"
 #include "report/equal_time.h"
 #include "report/heldout.h"
 #include "report/markdown.h"
 #include "report/on_the_fly.h"
 #include "report/places.h"
+#include "support/AtomicFile.h"
 
 using namespace akimap;
 using namespace akimap::bench;
@@ -149,11 +148,7 @@ void run(const Request& request) {
          << heading("Where AkiMap is not the best");
     writeLost(report.lost, head);
 
-    app::AtomicFile file(request.output);
-    std::ofstream out = app::openForWriting(file.path());
-    out << head.str() << body.str();
-    app::closeWritten(out);
-    file.commit();
+    writeWhole(request.output, head.str() + body.str());
     std::printf("[%5.0f s] %s and its pictures in %s are written\n", clock.Tac(),
                 request.output.c_str(), request.pictures.c_str());
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "output/AtomicFile.h"
 #include "pictures/picture.h"
+#include "support/AtomicFile.h"
 
 namespace akimap::bench {
 namespace {
@@ -55,10 +55,9 @@ CImage whiteSheet(int width, int height) {
 }
 
 void saveWhole(const CImage& sheet, const std::string& file) {
-    app::AtomicFile atomic(file);
-    if (!sheet.saveToFile(atomic.path()))
-        throw std::runtime_error(file + ": the picture could not be written");
-    atomic.commit();
+    writeAtomically(file, [&](const std::string& path) {
+        if (!sheet.saveToFile(path)) throw std::runtime_error("no picture came out");
+    });
 }
 
 void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std::string& file) {

@@ -8,7 +8,8 @@
 #include "commands/commands.h"
 #include "evaluation/octomap_file.h"
 #include "evaluation/report.h"
-#include "output/AtomicFile.h"
+#include "output/outputs.h"
+#include "support/AtomicFile.h"
 
 namespace akimap::app {
 

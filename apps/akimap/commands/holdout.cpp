@@ -14,7 +14,8 @@
 #include "evaluation/report.h"
 #include "input/scan_feed.h"
 #include "mapping/map_options.h"
-#include "output/AtomicFile.h"
+#include "output/outputs.h"
+#include "support/AtomicFile.h"
 
 namespace akimap::app {
 

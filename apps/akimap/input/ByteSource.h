@@ -14,6 +14,8 @@ class ByteSource {
     /** Gets so many bytes; fewer only at the end.
      * \exception std::runtime_error saying, without the file's name, what is wrong with it */
     virtual size_t read(void* buffer, size_t count) = 0;
+    /** Whether the end that was met is that of a cut gz file. */
+    [[nodiscard]] virtual bool isCut() const { return false; }
 };
 
 }  // namespace akimap::app

@@ -2,16 +2,11 @@
 // Copyright (c) 2026, the akimap developers
 #include "input/ObjectReader.h"
 
-#include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/serialization/CArchive.h>
-
-#include <algorithm>
-#include <array>
-#include <fstream>
-#include <vector>
 
 #include "errors.h"
 #include "input/files.h"
+#include "support/gz.h"
 
 namespace akimap::app {
 
@@ -22,19 +17,12 @@ namespace {
 /** A file that is there, plain or gz. */
 class WholeFile : public ByteSource {
  public:
-    explicit WholeFile(const std::string& file) {
-        requireReadable(file);
-        if (!gz_.open(file)) throw std::runtime_error(file + ": can't be read");
-    }
-    size_t read(void* buffer, size_t count) override {
-        const size_t n = gz_.Read(buffer, count);
-        // zlib's -1 for a wrong checksum or code arrives as a huge unsigned number.
-        if (n > count) throw std::runtime_error("the compressed data are damaged");
-        return n;
-    }
+    explicit WholeFile(const std::string& file) : gz_((requireReadable(file), file)) {}
+    size_t read(void* buffer, size_t count) override { return gz_.readSome(buffer, count); }
+    [[nodiscard]] bool isCut() const override { return gz_.isCut(); }
 
  private:
-    mrpt::io::CFileGZInputStream gz_;
+    GzReader gz_;
 };
 
 }  // namespace
@@ -56,11 +44,11 @@ class ObjectReader::Stream {
     }
     size_t Write(const void*, size_t) { throw std::logic_error("this stream is for reading"); }
     std::string getStreamDescription() const { return "the file"; }
+    [[nodiscard]] bool isCut() const { return source_->isCut(); }
 
     uint64_t position = 0;  ///< [bytes] unpacked
     bool at_end = false;
-    std::string failure;                  ///< of the source; MRPT may wrap what it throws
-    std::vector<uint32_t> object_starts;  ///< low 32 bits of the positions between objects
+    std::string failure;  ///< of the source; MRPT may wrap what it throws
 
  private:
     size_t readSome(void* buffer, size_t count) {
@@ -85,12 +73,10 @@ std::string whyUnreadable(const std::string& what) {
 }  // namespace
 
 ObjectReader::ObjectReader(const std::string& file)
-    : file_(file),
-      stream_(std::make_unique<Stream>(std::make_unique<WholeFile>(file))),
-      checks_gz_end_(true) {}
+    : file_(file), stream_(std::make_unique<Stream>(std::make_unique<WholeFile>(file))) {}
 
 ObjectReader::ObjectReader(const std::string& file, std::unique_ptr<ByteSource> source)
-    : file_(file), stream_(std::make_unique<Stream>(std::move(source))), checks_gz_end_(false) {}
+    : file_(file), stream_(std::make_unique<Stream>(std::move(source))) {}
 
 ObjectReader::~ObjectReader() = default;
 
@@ -101,7 +87,6 @@ void ObjectReader::refuse(const std::string& what) const {
 
 CSerializable::Ptr ObjectReader::next() {
     const uint64_t start = stream_->position;
-    stream_->object_starts.push_back(static_cast<uint32_t>(start));
     try {
         auto archive = mrpt::serialization::archiveFrom(*stream_);
         for (;;) {
@@ -118,34 +103,11 @@ CSerializable::Ptr ObjectReader::next() {
             throw CutFile(file_ + ": the file ends inside object " + std::to_string(objects_ + 1) +
                           ", at byte " + std::to_string(stream_->position));
     }
-    if (checks_gz_end_) checkGzEnd();
-    return nullptr;
-}
-
-/** zlib reads a cut gz file silently up to where it is cut, and MRPT doesn't ask it. A whole one
- * ends with the checksum and the unpacked size, mod 2^32, of its last member: that of the file,
- * or of what was appended behind an object, maybe nothing. */
-void ObjectReader::checkGzEnd() const {
-    std::ifstream in(file_, std::ios::binary);
-    std::array<char, 2> magic{};
-    in.read(magic.data(), 2);
-    if (!in || magic != std::array<char, 2>{'\x1f', '\x8b'}) return;
-    std::array<unsigned char, 8> last{};
-    in.seekg(-8, std::ios::end);
-    in.read(reinterpret_cast<char*>(last.data()), 8);
-    const auto number = [&](std::size_t i) {
-        return uint32_t{last[i]} | uint32_t{last[i + 1]} << 8 | uint32_t{last[i + 2]} << 16 |
-               uint32_t{last[i + 3]} << 24;
-    };
-    const uint32_t checksum = number(0), size = number(4);
-    const auto& starts = stream_->object_starts;
-    const auto start = static_cast<uint32_t>(stream_->position) - size;
-    const bool is_whole = in && std::find(starts.begin(), starts.end(), start) != starts.end() &&
-                          (size > 0 || checksum == 0);
-    if (!is_whole)
+    if (stream_->isCut())
         throw CutFile(file_ + ": the gz stream ends early, behind object " +
                       std::to_string(objects_) + ", at unpacked byte " +
                       std::to_string(stream_->position));
+    return nullptr;
 }
 
 }  // namespace akimap::app

@@ -39,11 +39,9 @@ class ObjectReader {
     class Stream;
 
     [[noreturn]] void refuse(const std::string& what) const;
-    void checkGzEnd() const;
 
     std::string file_;
     std::unique_ptr<Stream> stream_;
-    bool checks_gz_end_;
     std::size_t objects_ = 0;
 };
 

@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "mapping/build_report.h"
-#include "output/AtomicFile.h"
 #include "output/export_map.h"
+#include "output/outputs.h"
 
 namespace akimap::app {
 
@@ -88,10 +88,8 @@ void buildMap(const BuildRequest& request) {
 
     report.cells = map.cellCount();
     report.map_bytes = map.grid().memoryBytes();
-    AtomicFile file(request.output);
-    map.saveToFile(file.path());
     for (const std::string& target : request.exports) exportMap(map, target);
-    file.commit();  // not before the exports: what they refuse leaves an older map as it was
+    map.saveToFile(request.output);  // last: what the exports refuse leaves an older map as it was
     report.peak_rss_bytes = peakMemoryBytes();
     if (!request.json.empty()) writeJson(report, request.json);
     if (!request.quiet) printTable(report, std::cout);

@@ -12,7 +12,7 @@
 #include <numeric>
 #include <ostream>
 
-#include "output/AtomicFile.h"
+#include "support/AtomicFile.h"
 
 namespace akimap::app {
 

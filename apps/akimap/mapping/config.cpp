@@ -15,6 +15,7 @@
 #include "errors.h"
 #include "input/files.h"
 #include "input/numbers.h"
+#include "support/ini.h"
 
 namespace akimap::app {
 
@@ -109,7 +110,7 @@ class Reader {
         int number = 0;
         for (std::string line; std::getline(lines, line);) {
             number++;
-            line = trim(line.substr(0, std::min(line.find_first_of(";#\r"), line.find("//"))));
+            line = withoutComment(line);
             const auto at = [&] { return "line " + std::to_string(number) + ", '" + line + "': "; };
             if (!line.empty() && line[0] == '[') section = lowerCase(line), keys.clear();
             if (line.empty() || line[0] == '[' || section.find("akimap") == std::string::npos)
@@ -122,8 +123,7 @@ class Reader {
 
     /** The value of a key without a comment behind it. */
     std::string value(const std::string& section, const std::string& key) const {
-        const std::string text = ini_.read_string(section, key, "");
-        return trim(text.substr(0, std::min(text.find_first_of(";#"), text.find("//"))));
+        return withoutComment(ini_.read_string(section, key, ""));
     }
 
     bool isKnown(const std::string& name, const std::vector<Group>& groups) const {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "output/formats.h"
-#include "output/stream.h"
 #include "pictures/MapCells.h"
 #include "pictures/colors.h"
 #include "pictures/voxel_view.h"
+#include "support/stream.h"
 
 namespace akimap::app {
 

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "output/formats.h"
-#include "output/stream.h"
+#include "support/stream.h"
 
 namespace akimap::app {
 

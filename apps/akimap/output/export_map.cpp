@@ -8,8 +8,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "output/AtomicFile.h"
 #include "output/formats.h"
+#include "support/AtomicFile.h"
 
 namespace akimap::app {
 

@@ -8,7 +8,7 @@
 
 #include "output/binary_tree.h"
 #include "output/formats.h"
-#include "output/stream.h"
+#include "support/stream.h"
 
 namespace akimap::app {
 

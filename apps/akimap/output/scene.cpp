@@ -2,17 +2,16 @@
 // Copyright (c) 2026, the akimap developers
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfTriangles.h>
-
-#include <zlib.h>
+#include <mrpt/serialization/CArchive.h>
 
 #include <sstream>
 #include <stdexcept>
 #include <type_traits>
-#include <vector>
 
 #include "output/formats.h"
 #include "pictures/MapCells.h"
 #include "pictures/faces.h"
+#include "support/gz.h"
 
 namespace akimap::app {
 
@@ -77,16 +76,6 @@ void setView(mrpt::opengl::COpenGLScene& scene, const AkiMap& map) {
     setShare(light.diffuse, 0.5f);
 }
 
-/** MRPT does not tell whether the last, compressed block found room on the disk. */
-bool isWholeGz(const std::string& path) {
-    const gzFile file = gzopen(path.c_str(), "rb");
-    if (!file) return false;
-    std::vector<char> buffer(1 << 20);
-    int n = 1;
-    while (n > 0) n = gzread(file, buffer.data(), static_cast<unsigned>(buffer.size()));
-    return gzclose(file) == Z_OK && n == 0;
-}
-
 }  // namespace
 
 void writeScene(const AkiMap& map, const std::string& path, const ExportOptions& options) {
@@ -102,8 +91,7 @@ void writeScene(const AkiMap& map, const std::string& path, const ExportOptions&
     if (options.unknown && !map.isEmpty())
         scene.insert(unknownSurface(cellsOf(map, options.threshold), map.resolution()));
     setView(scene, map);
-    if (!scene.saveToFile(path) || !isWholeGz(path))
-        throw std::runtime_error("the scene could not be written whole (is the disk full?)");
+    writeGz(path, [&](GzWriter& gz) { mrpt::serialization::archiveFrom(gz) << scene; });
 }
 
 }  // namespace akimap::app

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "output/AtomicFile.h"
-#include "output/stream.h"
+#include "support/AtomicFile.h"
+#include "support/stream.h"
 #include "pictures/plot/PanelPainter.h"
 
 namespace akimap::app {

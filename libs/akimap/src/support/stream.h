@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace akimap::app {
+namespace akimap {
 
 /** \exception std::runtime_error with the system's reason */
 [[nodiscard]] inline std::ofstream openForWriting(const std::string& path) {
@@ -17,10 +17,12 @@ namespace akimap::app {
     return out;
 }
 
-/** Closes the stream. \exception std::runtime_error if not everything was written */
+/** Closes the stream. \exception std::runtime_error with the system's reason if not everything was
+ * written; a write that failed before is tried again, so that the reason is the last one's */
 inline void closeWritten(std::ofstream& out) {
+    errno = 0;
     out.close();
-    if (!out) throw std::runtime_error("not everything could be written (is the disk full?)");
+    if (!out) throw std::runtime_error(errno ? std::strerror(errno) : "not all could be written");
 }
 
 /** Appends the bytes of a number; all our binary formats are little endian, as is every machine
@@ -32,4 +34,4 @@ void appendBytes(std::string& bytes, T value) {
     bytes.append(raw, sizeof(T));
 }
 
-}  // namespace akimap::app
+}  // namespace akimap

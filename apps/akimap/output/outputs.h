@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace akimap::app {
+
+/** Before long work: all outputs can be written, none is named twice or is one of the files read.
+ * Empty names stand for files not asked for.
+ * \exception std::runtime_error naming the output */
+void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read);
+
+}  // namespace akimap::app
