@@ -11,7 +11,8 @@
 #include <map>
 #include <set>
 
-#include "fields.h"
+#include "mrpt/option_fields.h"
+#include "same_map.h"
 
 using namespace akimap;
 
@@ -90,7 +91,9 @@ TEST_P(GoldenMap, HoldsEachOptionAndCellThatItsListHas) {
     const auto map = AkiMap::loadFromFile(kData + GetParam() + ".akimap");
     const GoldenList list = readList(kData + GetParam() + ".txt");
     const auto& generic = map->genericMapParams;
-    std::size_t compared = 2;  // the format, and the number of scans
+    const auto number_of_scans = "scan_index = " + list.values.at("scan_index") + "\n";
+    EXPECT_NE(test::bytes(*map).find(number_of_scans), std::string::npos) << number_of_scans;
+    std::size_t compared = 2;  // the format, and that number
     const auto check = [&](const char* name, const auto& value) {
         OptionCheck{list, "", compared}(name, value, "");
     };

@@ -64,6 +64,69 @@ def print_block(index, sums):
             print("cell", *cell, alpha[::-1].hex(), beta[::-1].hex())
 
 
+def checksum(data):
+    mask = 0xFFFFFFFF
+    lanes = [(i + 1) * 0x9E3779B1 & mask for i in range(32)]
+    padded = data + bytes(-len(data) % 128)
+    for at, (word,) in enumerate(struct.iter_unpack("<I", padded)):
+        h = (lanes[at % 32] ^ word) * 2049 & mask
+        lanes[at % 32] = h ^ h >> 15
+    total = len(data)
+    for h in lanes:
+        total = (total ^ h) * 0x9E3779B97F4A7C15 & 0xFFFFFFFFFFFFFFFF
+        total ^= total >> 32
+    return total
+
+
+def sections(r):
+    """Tags and payloads up to the end."""
+    while True:
+        header = r.bytes(16)
+        if r.one("Q") != checksum(header):
+            sys.exit("a damaged header")
+        tag, flags, size = struct.unpack("<4sIQ", header)
+        payload = r.bytes(size)
+        if r.one("Q") != checksum(payload):
+            sys.exit(f"a damaged section {tag}")
+        if tag == b"END ":
+            return
+        if flags >> 31 and tag not in (b"HEAD", b"INSO", b"LIKO", b"RENO", b"BLKS", b"CELL"):
+            sys.exit(f"unknown required section {tag}")
+        yield tag.decode(), payload
+
+
+# Names of values, in the order of their numbers.
+NAMES = {"estimator": ["paper", "surface"], "beyond_max_range": ["ignore", "free"],
+         "bandwidth": ["adaptive", "covariance", "isotropic"], "search_region": ["ball", "box"],
+         "scale_search": ["exact", "descent"], "covariance_center": ["sample", "mean"],
+         "show_free": ["false", "true"]}
+KIND_OF = {name: kind for name, kind, _ in INSERTION + LIKELIHOOD + RENDERING}
+KIND_OF["resolution"] = "d"
+
+
+def list_text(prefix, payload):
+    for line in payload.decode().splitlines():
+        name, value = line.lstrip("!").split(" = ")
+        if name in NAMES:
+            value = NAMES[name].index(value)
+        elif KIND_OF.get(name) == "d":
+            value = float(value)
+        print_value(prefix + name, value)
+
+
+def list_3(r):
+    prefixes = {"HEAD": "", "INSO": "insertion.", "LIKO": "likelihood.", "RENO": "rendering."}
+    blocks = []
+    for tag, payload in sections(r):
+        if tag in prefixes:
+            list_text(prefixes[tag], payload)
+        elif tag == "BLKS":
+            blocks = list(struct.iter_unpack("<3i", payload))
+        elif tag == "CELL":
+            for i, index in enumerate(blocks):
+                print_block(index, payload[4096 * i:4096 * (i + 1)])
+
+
 def list_1_or_2(r, version):
     print_value("resolution", r.one("d"))
     if r.object_head("mrpt::maps::TMapGenericParams") != 0:
@@ -86,9 +149,12 @@ def main():
     r = Reader(gzip.open(sys.argv[1]).read())
     version = r.object_head("akimap::AkiMap")
     print_value("format", version)
-    if version not in (1, 2):
+    if version not in (1, 2, 3):
         sys.exit(f"unknown format {version}")
-    list_1_or_2(r, version)
+    if version == 3:
+        list_3(r)
+    else:
+        list_1_or_2(r, version)
     r.object_end()
     if r.at != len(r.data):
         sys.exit("data behind the map")

@@ -195,8 +195,9 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
                           std::vector<uint64_t>& resultIndicesOrIDs,
                           std::size_t maxPoints = 0) const;
 
-    /** Writes the map (gz, MRPT serialization) beside `file` and then renames it.
-     * \exception std::runtime_error naming the file */
+    /** Writes the map (doc/format.md), whole or not at all: a file that is there already is
+     * replaced when the new one is on the disk. \exception std::runtime_error naming the file and
+     * the system's reason */
     void saveToFile(const std::string& file) const;
     /** \exception std::runtime_error naming the file if it is missing, damaged or no AkiMap */
     static AkiMap::Ptr loadFromFile(const std::string& file);
@@ -212,6 +213,10 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
         const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& takenFrom) const override;
     [[nodiscard]] bool internal_canComputeObservationLikelihood(
         const mrpt::obs::CObservation& obs) const override;
+
+    void readHead(const std::string& text);
+    void readSections(mrpt::serialization::CArchive& in);
+    void readFormat1Or2(mrpt::serialization::CArchive& in, uint8_t version);
 
     [[nodiscard]] const SurfacePoints& surface() const;
 

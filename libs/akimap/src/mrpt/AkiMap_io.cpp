@@ -1,173 +1,202 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
+// doc/format.md says what is in a map's file and stream.
 #include <akimap/AkiMap.h>
-#include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
-#include <sys/types.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <cctype>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <set>
 #include <stdexcept>
-#include <type_traits>
 
+#include "grid/grid_sections.h"
+#include "grid/named_values.h"
 #include "mrpt/mrpt_compat.h"
+#include "support/AtomicFile.h"
+#include "support/gz.h"
+#include "support/numbers.h"
 
 namespace akimap {
 namespace {
 
-constexpr const char* kCorrupt = "corrupt AkiMap: ";
+using mrpt::serialization::CArchive;
 
-[[noreturn]] void corrupt(const std::string& what) {
-    throw std::runtime_error(kCorrupt + what);
+constexpr Tag kHeadTag = tag("HEAD"), kInsertionTag = tag("INSO"), kLikelihoodTag = tag("LIKO"),
+              kRenderingTag = tag("RENO");
+
+// MRPT's frame of an object: the length of its class' name with the highest bit set, the name, the
+// version, the object, a flag. Read by hand, as MRPT builds whatever class is named before anybody
+// can refuse it.
+constexpr const char* kClassName = "akimap::AkiMap";
+constexpr uint8_t kNameFlag = 0x80, kEndFlag = 0x88;
+
+/** All of the bytes: MRPT's own operators take fewer, and go on. */
+ReadBytes readerOf(CArchive& in) {
+    return [&in](void* bytes, std::size_t size) {
+        if (in.ReadBuffer(bytes, size) != size) throw CorruptMap("its end is missing");
+    };
 }
 
-/** A block in a stream: words of 32 bits, alpha before beta. */
-struct Record {
-    BlockGrid::BlockIndex index;
-    std::array<float, 2 * Block::kCells> sums;
-};
-static_assert(sizeof(Record::sums) == sizeof(Block) && std::is_trivially_copyable_v<Block>);
-static_assert(sizeof(Record) == sizeof(Record::index) + sizeof(Record::sums));
-
-/** Few large writes: MRPT's memory stream, through which particles are copied, grows at each. */
-constexpr std::size_t kRecordsAtOnce = 64;
-
-/** \exception std::runtime_error unless the sums are finite, >= 0 and not all 0 */
-void checkSums(const Block& block) {
-    constexpr uint32_t kSign = 0x80000000u, kInfinity = 0x7f800000u;  // of an IEEE 754 float
-    std::array<uint32_t, 2 * Block::kCells> bits;
-    std::memcpy(bits.data(), &block, sizeof(block));
-    uint32_t any = 0, overflow = 0;  // on bits and without a way out, so that it runs on whole rows
-    for (const uint32_t b : bits) any |= b, overflow |= b + (kSign - kInfinity);
-    if ((any | overflow) & kSign) corrupt("a cell is negative or not finite");
-    if (any == 0) corrupt("a block without evidence");
+/** \return the version */
+uint8_t readFrameHead(CArchive& in) {
+    const auto length = in.ReadAs<uint8_t>();
+    std::string name(length & (kNameFlag - 1), ' ');
+    if (length & kNameFlag) readerOf(in)(name.data(), name.size());
+    const auto isPrintable = [](unsigned char c) { return std::isgraph(c) != 0; };
+    if (name.empty() || !std::all_of(name.begin(), name.end(), isPrintable))
+        throw std::runtime_error("no AkiMap");
+    if (name != kClassName) throw std::runtime_error("no AkiMap: it holds a " + name);
+    return in.ReadAs<uint8_t>();
 }
 
-/** A path beside the wanted file, removed again unless it is renamed to it. */
-class FileBeside {
- public:
-    explicit FileBeside(std::string file)
-        : file_(std::move(file)), beside_(file_ + ".tmp" + std::to_string(getpid())) {}
-    ~FileBeside() { std::remove(beside_.c_str()); }
-    FileBeside(const FileBeside&) = delete;
-    FileBeside& operator=(const FileBeside&) = delete;
-    [[nodiscard]] const std::string& path() const { return beside_; }
-    void rename() const {
-        if (std::rename(beside_.c_str(), file_.c_str()) != 0)
-            throw std::runtime_error(file_ + ": can't be written");
-    }
-
- private:
-    std::string file_, beside_;
-};
-
-/** Whether a gz file of so many bytes was written to its end: it closes with their number, modulo
- * 2^32, little-endian. */
-bool isWhole(const std::string& gz_file, uint64_t bytes) {
-    std::ifstream in(gz_file, std::ios::binary);
-    in.seekg(-4, std::ios::end);
-    uint32_t size = 0;
-    for (int shift = 0; shift < 32; shift += 8)
-        size |= static_cast<uint32_t>(in.get() & 0xff) << shift;
-    return in.good() && size == static_cast<uint32_t>(bytes);
+template <class Number>
+void readValue(NamedValues& values, const char* name, Number& value) {
+    if (const std::string* text = values.take(name); text && !parseNumber(*text, value))
+        throw CorruptMap(std::string(name) + " = " + *text);
+}
+void readValue(NamedValues& values, const char* name, bool& value) {
+    uint8_t v = value;
+    readValue(values, name, v);
+    if (v > 1) throw CorruptMap(std::string(name) + " is neither 0 nor 1");
+    value = v;
 }
 
-/** Our own reason within a message: MRPT wraps it in banners and call stacks. */
+/** MRPT reads any byte into a bool. */
+void requireBool(const bool& value) {
+    uint8_t byte = 0;
+    std::memcpy(&byte, &value, sizeof byte);
+    if (byte > 1) throw CorruptMap("a switch is neither 0 nor 1");
+}
+
+/** As MRPT's own files are: one object, gz. */
+void saveObject(const mrpt::serialization::CSerializable& object, const std::string& file) {
+    writeAtomically(file, [&](const std::string& path) {
+        writeGz(path, [&](GzWriter& gz) { mrpt::serialization::archiveFrom(gz) << object; });
+    });
+}
+
+/** What went wrong, without the banners and call stacks that MRPT wraps it in. */
 std::string ourReason(const std::string& what) {
-    const auto at = what.find(kCorrupt);
-    return at == std::string::npos ? "damaged, or not a map"
-                                   : what.substr(at, what.find('\n', at) - at);
+    const auto at = what.find("corrupt AkiMap: ");
+    if (at != std::string::npos) return what.substr(at, what.find('\n', at) - at);
+    return what.find('\n') == std::string::npos ? what : "damaged, or not a map";
 }
 
 }  // namespace
 
 uint8_t AkiMap::serializeGetVersion() const {
-    return 2;  // 1: without the options of firstVersionOf()
+    return 3;
 }
 
-void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
-    out << resolution() << genericMapParams;
-    insertionOptions.writeToStream(out);
-    likelihoodOptions.writeToStream(out);
-    renderingOptions.writeToStream(out);
-    out << scan_index_ << static_cast<uint64_t>(grid_.blockCount());
-    std::vector<Record> records;
-    const auto write = [&] {
-        out.WriteBufferFixEndianness(reinterpret_cast<const uint32_t*>(records.data()),
-                                     records.size() * (sizeof(Record) / sizeof(uint32_t)));
-        records.clear();
-    };
-    records.reserve(std::min(kRecordsAtOnce, grid_.blockCount()));
-    for (const auto& [b, block] : grid_.sortedBlocks()) {
-        Record& record = records.emplace_back();
-        record.index = b;
-        std::memcpy(&record.sums, block, sizeof(record.sums));
-        if (records.size() == kRecordsAtOnce) write();
-    }
-    if (!records.empty()) write();
+void AkiMap::serializeTo(CArchive& out) const {
+    const WriteBytes write = [&](const void* bytes, std::size_t n) { out.WriteBuffer(bytes, n); };
+    const auto flag = [](bool v) { return std::string(v ? "1" : "0"); };
+    const auto& g = genericMapParams;
+    writeTextSection(
+        write, kHeadTag, Need::required,
+        lineOf({"resolution", numberText(resolution()), true}) +
+            lineOf({"scan_index", numberText(uint64_t{scan_index_})}) +
+            lineOf({"enableSaveAs3DObject", flag(g.enableSaveAs3DObject)}) +
+            lineOf({"enableObservationLikelihood", flag(g.enableObservationLikelihood)}) +
+            lineOf({"enableObservationInsertion", flag(g.enableObservationInsertion)}));
+    writeTextSection(write, kInsertionTag, Need::required, insertionOptions.toText());
+    writeTextSection(write, kLikelihoodTag, Need::optional, likelihoodOptions.toText());
+    writeTextSection(write, kRenderingTag, Need::optional, renderingOptions.toText());
+    writeGrid(write, grid_);
+    writeEnd(write);
 }
 
-void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-    if (version != 1 && version != 2) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
-    AkiMap loaded(in.ReadAs<double>());
-    in >> loaded.genericMapParams;
-    loaded.insertionOptions.readFromStream(in, version);
-    loaded.likelihoodOptions.readFromStream(in, version);
-    loaded.renderingOptions.readFromStream(in, version);
-    in >> loaded.scan_index_;
-    auto left = in.ReadAs<uint64_t>();
-    loaded.grid_.reserve(std::min<uint64_t>(left, 1 << 16));  // the number may be wrong
-    uint64_t previous = 0;
-    for (; left > 0; --left) {
-        BlockGrid::BlockIndex b;
-        in >> b.x >> b.y >> b.z;
-        if (!BlockGrid::isAddressable(b)) corrupt("a block lies outside the grid");
-        if (!loaded.isEmpty() && packKey(b) <= previous) corrupt("its blocks are out of order");
-        previous = packKey(b);
-        const std::shared_ptr<Block> block(new Block);  // uninitialized
-        in.ReadBufferFixEndianness(reinterpret_cast<float*>(block.get()),
-                                   sizeof(Block) / sizeof(float));
-        checkSums(*block);
-        loaded.grid_.adopt(b, block);
-    }
+void AkiMap::serializeFrom(CArchive& in, uint8_t version) {
+    if (version < 1 || version > serializeGetVersion())
+        throw std::runtime_error("an AkiMap of format " + std::to_string(version) +
+                                 ", which this version does not know");
+    AkiMap loaded;
+    if (version < 3)
+        loaded.readFormat1Or2(in, version);
+    else
+        loaded.readSections(in);
     *this = std::move(loaded);
 }
 
-void AkiMap::saveToFile(const std::string& file) const {
-    const FileBeside beside(file);
-    uint64_t written = 0;
-    try {
-        mrpt::io::CFileGZOutputStream f;
-        if (!f.open(beside.path(), 1)) throw std::runtime_error("can't be opened");
-        auto archive = mrpt::serialization::archiveFrom(f);
-        archive << *this;
-        written = f.getPosition();
-        f.close();
-    } catch (const std::exception&) {
-        throw std::runtime_error(file + ": can't be written");
+void AkiMap::readHead(const std::string& text) {
+    NamedValues values("HEAD", text);
+    double resolution = 0;
+    uint64_t scan_index = 0;
+    readValue(values, "resolution", resolution);
+    readValue(values, "scan_index", scan_index);
+    readValue(values, "enableSaveAs3DObject", genericMapParams.enableSaveAs3DObject);
+    readValue(values, "enableObservationLikelihood", genericMapParams.enableObservationLikelihood);
+    readValue(values, "enableObservationInsertion", genericMapParams.enableObservationInsertion);
+    values.requireNoneLeft();
+    setResolution(resolution);
+    scan_index_ = scan_index;
+}
+
+void AkiMap::readSections(CArchive& in) {
+    const ReadBytes read = readerOf(in);
+    SectionReader section(read);
+    std::vector<BlockGrid::BlockIndex> blocks;
+    std::set<Tag> met;
+    while (section.next()) {
+        const Tag& tag = section.tag();
+        if (met.empty() != (tag == kHeadTag)) throw CorruptMap("its first section is not HEAD");
+        if (!met.insert(tag).second) throw CorruptMap("section " + section.name() + " twice");
+        if (tag == kHeadTag)
+            readHead(section.readText());
+        else if (tag == kInsertionTag)
+            insertionOptions.fromText(section.name(), section.readText());
+        else if (tag == kLikelihoodTag)
+            likelihoodOptions.fromText(section.name(), section.readText());
+        else if (tag == kRenderingTag)
+            renderingOptions.fromText(section.name(), section.readText());
+        else if (tag == kBlocksTag)
+            blocks = readBlocks(section);
+        else if (tag == kCellsTag)
+            readCells(section, blocks, grid_);
+        else
+            section.skip();
     }
-    // MRPT's stream does not tell whether its last, compressed block found room on the disk.
-    if (!isWhole(beside.path(), written))
-        throw std::runtime_error(file + ": can't be written whole; is the disk full?");
-    beside.rename();
+    for (const Tag& tag : {kHeadTag, kInsertionTag, kBlocksTag, kCellsTag})
+        if (!met.count(tag)) throw CorruptMap("section " + nameOf(tag) + " is missing");
+}
+
+void AkiMap::readFormat1Or2(CArchive& in, uint8_t version) {
+    setResolution(in.ReadAs<double>());
+    in >> genericMapParams;
+    requireBool(genericMapParams.enableSaveAs3DObject);
+    requireBool(genericMapParams.enableObservationLikelihood);
+    requireBool(genericMapParams.enableObservationInsertion);
+    insertionOptions.readFromStream(in, version);
+    likelihoodOptions.readFromStream(in, version);
+    renderingOptions.readFromStream(in, version);
+    scan_index_ = in.ReadAs<uint64_t>();
+    const auto read = readerOf(in);
+    const auto count = in.ReadAs<uint64_t>();
+    BlockGrid::BlockIndex previous;
+    for (uint64_t i = 0; i < count; i++) {
+        BlockGrid::BlockIndex b;
+        in >> b.x >> b.y >> b.z;
+        checkPlace(i > 0 ? &previous : nullptr, b);
+        grid_.adopt(b, readBlock(read));
+        previous = b;
+    }
+}
+
+void AkiMap::saveToFile(const std::string& file) const {
+    saveObject(*this, file);
 }
 
 AkiMap::Ptr AkiMap::loadFromFile(const std::string& file) {
-    if (!std::filesystem::is_regular_file(file)) throw std::runtime_error(file + ": no such file");
     try {
-        mrpt::io::CFileGZInputStream f;
-        if (!f.open(file)) corrupt("it can't be opened");
-        auto archive = mrpt::serialization::archiveFrom(f);
-        auto map = std::dynamic_pointer_cast<AkiMap>(archive.ReadObject());
-        if (!map) corrupt("it holds something else");
+        GzReader gz(file);
+        auto in = mrpt::serialization::archiveFrom(gz);
+        auto map = AkiMap::Create();
+        map->serializeFrom(in, readFrameHead(in));
+        if (in.ReadAs<uint8_t>() != kEndFlag) throw CorruptMap("no end flag");
         char more = 0;
-        if (f.Read(&more, 1) != 0) corrupt("data behind the map");
-        if (!isWhole(file, f.getPosition())) corrupt("its end is missing");
+        if (gz.readSome(&more, 1) != 0) throw CorruptMap("data behind the map");
+        if (gz.isCut()) throw CorruptMap("its end is missing");
         return map;
     } catch (const std::bad_alloc&) {
         throw;
@@ -182,10 +211,7 @@ void AkiMap::saveMetricMapRepresentationToFile(const std::string& prefix) const 
     auto objects = mrpt::opengl::CSetOfObjects::Create();
     getVisualizationInto(*objects);
     scene.insert(objects);
-    const FileBeside beside(prefix + "_3D.3Dscene");
-    if (!scene.saveToFile(beside.path()))
-        throw std::runtime_error(prefix + "_3D.3Dscene: can't be written");
-    beside.rename();
+    saveObject(scene, prefix + "_3D.3Dscene");
 }
 
 }  // namespace akimap

@@ -4,14 +4,16 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/typemeta/TEnumType.h>
 
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string_view>
 
+#include "grid/named_values.h"
+#include "grid/sections.h"
 #include "mrpt/option_fields.h"
+#include "support/ini.h"
+#include "support/numbers.h"
 
 MRPT_ENUM_TYPE_BEGIN(akimap::Estimator)
 MRPT_FILL_ENUM_MEMBER(akimap::Estimator, paper);
@@ -47,18 +49,20 @@ namespace {
     throw std::invalid_argument(name + " = " + value + ": must be " + want);
 }
 
+void require(bool ok, const char* name, double value, const char* want) {
+    if (ok) return;
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", value);
+    reject(name, text, want);
+}
+
 /** In the C locale, whatever the program's is. */
 template <class Number>
 std::enable_if_t<std::is_arithmetic_v<Number>> parse(const std::string& name,
                                                      const std::string& text, Number& value) {
-    const char* const end = text.data() + text.size();
-    const char* const begin = text.data() + (text.size() > 1 && text[0] == '+');
-    Number v{};
-    const auto [stop, error] = std::from_chars(begin, end, v);
-    if (error != std::errc() || stop != end)
+    if (!parseNumber(text, value))
         reject(name, "'" + text + "'",
                std::is_integral_v<Number> ? "a whole number >= 0, and not too large" : "a number");
-    value = v;
 }
 void parse(const std::string& name, const std::string& text, bool& value) {
     if (text != "true" && text != "false" && text != "1" && text != "0")
@@ -82,49 +86,31 @@ std::enable_if_t<std::is_enum_v<Enum>> parse(const std::string& name, const std:
     reject(name, "'" + text + "'", names);
 }
 
-/** The value without a comment behind it. */
-std::string firstWord(const std::string& text) {
-    const std::string line = text.substr(0, text.find("//"));
-    const auto begin = line.find_first_not_of(" \t\r");
-    if (begin == std::string::npos) return "";
-    auto end = line.find_first_of(";#", begin);
-    if (end == std::string::npos) end = line.size();
-    while (end > begin && std::isspace(static_cast<unsigned char>(line[end - 1]))) --end;
-    return line.substr(begin, end - begin);
-}
-
 struct Loader {
     const mrpt::config::CConfigFileBase& config;
     const std::string& section;
     template <class T>
     void operator()(const char* name, T& value, const char*) const {
         if (!config.keyExists(section, name)) return;
-        parse(name, firstWord(config.read_string(section, name, "")), value);
+        parse(name, withoutComment(config.read_string(section, name, "")), value);
     }
 };
+template <class T>
+std::string textOf(const T& value) {
+    if constexpr (std::is_same_v<T, bool>)
+        return value ? "true" : "false";
+    else if constexpr (std::is_enum_v<T>)
+        return mrpt::typemeta::TEnumType<T>::value2name(value);
+    else
+        return numberText(value);
+}
+
 struct Saver {
     mrpt::config::CConfigFileBase& config;
     const std::string& section;
     template <class T>
     void operator()(const char* name, const T& value, const char* comment) const {
-        if constexpr (std::is_same_v<T, double>)
-            put(name, shortest(value), comment);
-        else if constexpr (std::is_same_v<T, bool>)
-            put(name, value ? "true" : "false", comment);
-        else if constexpr (std::is_enum_v<T>)
-            put(name, mrpt::typemeta::TEnumType<T>::value2name(value), comment);
-        else
-            put(name, std::to_string(value), comment);
-    }
-
- private:
-    void put(const char* name, const std::string& value, const char* comment) const {
-        config.write(section, name, value, 20, 10, comment);
-    }
-    /** The fewest digits that read back the same. */
-    static std::string shortest(double v) {
-        char text[32];
-        return {text, std::to_chars(text, text + sizeof text, v).ptr};
+        config.write(section, name, textOf(value), 20, 10, comment);
     }
 };
 /** The number of threads is not part of a map: maps of equal content are equal files. */
@@ -136,17 +122,27 @@ int firstVersionOf(std::string_view name) {
     return name == "beyond_max_range" || name == "max_evidence" ? 2 : 1;
 }
 
-struct StreamWriter {
-    mrpt::serialization::CArchive& out;
+/** What the meaning of a map's cells depends on, not only what is done with them next. */
+bool isRequired(std::string_view name) {
+    return name == "prior_alpha" || name == "prior_beta";
+}
+
+struct TextWriter {
+    std::string& text;
     template <class T>
     void operator()(const char* name, const T& value, const char*) const {
-        if (!isStreamed(name)) return;
-        if constexpr (std::is_enum_v<T>)
-            out << static_cast<uint8_t>(value);
-        else
-            out << value;
+        if (isStreamed(name)) text += lineOf({name, textOf(value), isRequired(name)});
     }
 };
+struct TextReader {
+    NamedValues& values;
+    template <class T>
+    void operator()(const char* name, T& value, const char*) const {
+        if (!isStreamed(name)) return;
+        if (const std::string* text = values.take(name)) parse(name, *text, value);
+    }
+};
+/** Formats 1 and 2: the options one behind the other, without names. */
 struct StreamReader {
     mrpt::serialization::CArchive& in;
     int version;
@@ -155,17 +151,20 @@ struct StreamReader {
         if (!isStreamed(name) || version < firstVersionOf(name)) return;
         if constexpr (std::is_enum_v<T>)
             value = static_cast<T>(in.ReadAs<uint8_t>());
+        else if constexpr (std::is_same_v<T, bool>)
+            value = readBool(name);
         else
             in >> value;
     }
+
+ private:
+    bool readBool(const char* name) const {
+        const auto byte = in.ReadAs<uint8_t>();
+        require(byte <= 1, name, byte, "0 or 1");
+        return byte == 1;
+    }
 };
 
-void require(bool ok, const char* name, double value, const char* want) {
-    if (ok) return;
-    char text[32];
-    std::snprintf(text, sizeof text, "%g", value);
-    reject(name, text, want);
-}
 void requirePositive(const char* name, double v) {
     require(std::isfinite(v) && v > 0, name, v, "finite and > 0");
 }
@@ -242,15 +241,34 @@ void LoadableOptions<Parameters>::saveToConfigFile(mrpt::config::CConfigFileBase
     visitFields(*this, Saver{c, s});
 }
 template <class Parameters>
-void LoadableOptions<Parameters>::writeToStream(mrpt::serialization::CArchive& out) const {
-    visitFields(*this, StreamWriter{out});
+std::string LoadableOptions<Parameters>::toText() const {
+    std::string text;
+    visitFields(*this, TextWriter{text});
+    return text;
+}
+template <class Parameters>
+void LoadableOptions<Parameters>::fromText(const std::string& section, const std::string& text) {
+    NamedValues values(section, text);
+    Parameters loaded = *this;
+    try {
+        visitFields(loaded, TextReader{values});
+        loaded.validate();
+    } catch (const std::invalid_argument& e) {
+        throw CorruptMap(e.what());
+    }
+    values.requireNoneLeft();
+    static_cast<Parameters&>(*this) = loaded;
 }
 template <class Parameters>
 void LoadableOptions<Parameters>::readFromStream(mrpt::serialization::CArchive& in,
                                                  uint8_t version) {
     Parameters loaded = *this;
-    visitFields(loaded, StreamReader{in, version});
-    loaded.validate();
+    try {
+        visitFields(loaded, StreamReader{in, version});
+        loaded.validate();
+    } catch (const std::invalid_argument& e) {
+        throw CorruptMap(e.what());
+    }
     static_cast<Parameters&>(*this) = loaded;
 }
 
