@@ -34,7 +34,7 @@ struct Metric {
     }
 };
 
-Metric<float> metricOf(const Factored& f) {
+Metric<float> metricOf(const Ldlt& f) {
     return {static_cast<float>(1 / f.vz), static_cast<float>(f.y_z), static_cast<float>(1 / f.vy),
             static_cast<float>(f.x_z),    static_cast<float>(f.x_y), static_cast<float>(1 / f.vx)};
 }
@@ -42,7 +42,7 @@ Metric<float> metricOf(const Factored& f) {
 Metric<Row> metricsOf(const Symmetric3* covariances, int count) {
     Metric<Row> m{};
     for (int lane = 0; lane < count; lane++) {
-        const Metric<float> one = metricOf(Factored(covariances[lane]));
+        const Metric<float> one = metricOf(Ldlt(covariances[lane]));
         m.iz[lane] = one.iz, m.y_z[lane] = one.y_z, m.iy[lane] = one.iy;
         m.x_z[lane] = one.x_z, m.x_y[lane] = one.x_y, m.ix[lane] = one.ix;
     }
@@ -208,7 +208,7 @@ class Selector {
         const RowMask met = lanesThatMeet(scratch_.other, g, metricsOf(own, count), limit_);
         for (uint32_t bits = bitsOf(met & (m.n > 2.0f)); bits; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
-            const Metric<float> metric = metricOf(Factored(own[lane]));
+            const Metric<float> metric = metricOf(Ldlt(own[lane]));
             scratch_.problem.clear();
             addSupport(scratch_.other, g, lane, metric, limit_, false, scratch_);
             addSupport(scratch_.same, g, lane, metric, limit_, true, scratch_);
@@ -220,7 +220,7 @@ class Selector {
         const double shortest = p_.scale_min_length > 0 ? p_.scale_min_length : resolution_;
         const double lowest = shortest / longestSemiAxis(covariance);
         if (p_.scale_search == ScaleSearch::descent)
-            return scratch_.problem.descend(1 / std::sqrt(Factored(covariance).determinant()),
+            return scratch_.problem.descend(1 / std::sqrt(Ldlt(covariance).determinant()),
                                             std::min(lowest, 1.0));
         return scratch_.problem.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
     }

@@ -10,13 +10,13 @@
 namespace akimap {
 
 /** The surface around a hit. */
-struct Surfel {
+struct HitPlane {
     std::array<float, 3> normal;  ///< of unit length, either way; only if `flat`
     bool flat;                    ///< whether the neighbours lie in a plane
 };
 
-/** Buffers of fitSurfels(), kept between scans. */
-struct SurfelScratch {
+/** Buffers of fitHitPlanes(), kept between scans. */
+struct HitPlaneWorkspace {
     NeighborRows rows;
     std::vector<float> x, y, z;
 };
@@ -28,11 +28,11 @@ struct SurfelScratch {
  * \param rays of the hits
  * \param hits occupied samples only
  * The same for any number of threads; runs in the caller's TBB arena. */
-void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits,
-                const InsertionParameters& parameters, double resolution, SurfelScratch& scratch,
-                std::vector<Surfel>& surfels, std::vector<Symmetric3>& H);
+void fitHitPlanes(const std::vector<KeptRay>& rays, Samples& hits,
+                const InsertionParameters& parameters, double resolution, HitPlaneWorkspace& scratch,
+                std::vector<HitPlane>& planes, std::vector<Symmetric3>& H);
 
-/** The longest semi-axis [m] that fitSurfels() gives a hit on a surface. */
-[[nodiscard]] double widestSurfel(const InsertionParameters& p, double resolution);
+/** The longest semi-axis [m] that fitHitPlanes() gives a hit on a surface. */
+[[nodiscard]] double widestKernel(const InsertionParameters& p, double resolution);
 
 }  // namespace akimap
