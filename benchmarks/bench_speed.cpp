@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <random>
 
-#include "RealtimeGate.h"
+#include "mapping/RealtimeGate.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
 #include "scenes.h"

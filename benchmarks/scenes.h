@@ -9,7 +9,7 @@
 
 #include "evaluation/octomap_scan.h"
 #include "evaluation/truth.h"
-#include "scan_feed.h"
+#include "input/scan_feed.h"
 #include "simulation/simulate.h"
 
 namespace akimap::bench {

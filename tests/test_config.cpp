@@ -6,7 +6,7 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/CMultiMetricMap.h>
 
-#include "config.h"
+#include "mapping/config.h"
 #include "run_program.h"
 
 namespace {

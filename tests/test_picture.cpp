@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "output/export_map.h"
-#include "output/faces.h"
-#include "output/voxel_view.h"
+#include "pictures/faces.h"
+#include "pictures/voxel_view.h"
 #include "random_scans.h"
 #include "run_program.h"
 

@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "output/plot/Scale.h"
-#include "output/plot/plot.h"
+#include "pictures/plot/Scale.h"
+#include "pictures/plot/plot.h"
 #include "run_program.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "config.h"
+#include "mapping/config.h"
 #include "random_scans.h"
 #include "run_program.h"
 

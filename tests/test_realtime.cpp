@@ -3,9 +3,9 @@
 //
 // `akimap build --realtime`: which scans a robot would lose while it maps.
 
-#include "RealtimeGate.h"
 #include "build_fixture.h"
-#include "build_report.h"
+#include "mapping/RealtimeGate.h"
+#include "mapping/build_report.h"
 
 namespace {
 

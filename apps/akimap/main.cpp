@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "cli.h"
-#include "commands.h"
+#include "commands/commands.h"
 
 namespace {
 

@@ -9,9 +9,9 @@
 #include <iterator>
 #include <map>
 
-#include "config.h"
 #include "errors.h"
 #include "input/files.h"
+#include "mapping/config.h"
 
 namespace akimap::app {
 

@@ -6,7 +6,7 @@
 
 namespace akimap::app {
 
-// As the commands of akimap itself, see its commands.h.
+// As the commands of akimap itself, see its commands/commands.h.
 void addSlam(CLI::App& app);
 void addLocalize(CLI::App& app);
 

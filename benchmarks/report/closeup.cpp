@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "output/Camera.h"
-#include "output/faces.h"
-#include "output/picture.h"
+#include "pictures/Camera.h"
+#include "pictures/faces.h"
+#include "pictures/picture.h"
 
 namespace akimap::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "RealtimeGate.h"
-#include "output/plot/plot.h"
+#include "mapping/RealtimeGate.h"
+#include "pictures/plot/plot.h"
 #include "report/markdown.h"
 
 namespace akimap::bench {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "output/AtomicFile.h"
-#include "output/picture.h"
+#include "pictures/picture.h"
 
 namespace akimap::bench {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "evaluation/evaluate.h"
-#include "output/CellSet.h"
+#include "pictures/CellSet.h"
 #include "scenes.h"
 
 namespace akimap::bench {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "output/MapCells.h"
-#include "output/colors.h"
 #include "output/formats.h"
 #include "output/stream.h"
-#include "output/voxel_view.h"
+#include "pictures/MapCells.h"
+#include "pictures/colors.h"
+#include "pictures/voxel_view.h"
 
 namespace akimap::app {
 

@@ -4,17 +4,14 @@
 
 #include <akimap/AkiMap.h>
 
-#include <optional>
 #include <string>
+
+#include "pictures/picture.h"
 
 namespace akimap::app {
 
-struct ExportOptions {
-    double threshold = 0.5;       ///< [-] in (0,1). Cells with a higher occupancy are occupied
-    bool unknown = false;         ///< Draw cells without evidence too (.png, .3Dscene)
-    std::optional<double> slice;  ///< [m] Height of the picture's slice; default: above the floor,
-                                  ///< where most is known
-};
+/** The clouds and the .bt go by the threshold; `unknown` is for .png and .3Dscene. */
+using ExportOptions = PictureOptions;
 
 /** Writes the map as .csv, .ply, .pcd, .bt, .ot, .3Dscene or .png, by the file's extension. The
  * file appears whole or not at all.

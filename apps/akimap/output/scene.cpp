@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "output/MapCells.h"
-#include "output/faces.h"
 #include "output/formats.h"
+#include "pictures/MapCells.h"
+#include "pictures/faces.h"
 
 namespace akimap::app {
 
