@@ -83,7 +83,9 @@ TEST(AkiMap, VisitsEachCellThatAQueryKnows) {
     const AkiMap map = smallMap();
     std::size_t n = 0, occupied = 0;
     const auto box = map.boundingBox();
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& s = cell_at.state;
         n++, occupied += s.occupancy() > 0.5;
         ASSERT_EQ(map.cell(p.x, p.y, p.z).value().alpha, s.alpha);
         EXPECT_TRUE(box.containsPoint(p.cast<float>()));
@@ -335,7 +337,8 @@ TEST(AkiMap, EveryCellAnswersUpToTheEdgeOfTheGrid) {
     AkiMap map(0.05);
     const double edge = (BlockGrid::kMaxCell - 1) * 0.05;
     ASSERT_TRUE(map.insertRays({Ray{{edge - 3, -edge, 0}, {edge, -edge, 0}}}));
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
         EXPECT_TRUE(map.cell(p.x, p.y, p.z));
     });
 }
@@ -375,7 +378,8 @@ TEST(AkiMap, ConcurrentReadsAgree) {
     std::vector<std::thread> threads;
     for (std::size_t t = 0; t < counts.size(); t++)
         threads.emplace_back([&, t] {
-            map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+            map.forEachCell([&](const akimap::Cell& cell_at) {
+                const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
                 counts[t] += map.cell(p.x, p.y, p.z).has_value();
             });
         });
@@ -387,9 +391,9 @@ TEST(AkiMap, MemoryIsBlocksIndexAndSlack) {
     AkiMap map(0.05);
     for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 3000));
     const double per_cell =
-        static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount());
+        static_cast<double>(map.memoryBytes()) / static_cast<double>(map.cellCount());
     EXPECT_LT(per_cell, 32);
-    EXPECT_GE(map.grid().memoryBytes(), map.grid().blockCount() * sizeof(Block));
+    EXPECT_GE(map.memoryBytes(), map.blockCount() * sizeof(Block));
 }
 
 TEST(AkiMap, ClearForgetsEverythingButTheOptions) {

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include "mrpt/Scratch.h"
+#include "estimators/paper/PaperEstimator.h"
+#include "estimators/paper/free_samples.h"
 #include "random_scans.h"
 #include "reference.h"
 
@@ -19,13 +20,13 @@ struct Comparison {
 
 /** One random scan through rooms 2 to 4. */
 struct Scan {
-    AkiMap::Scratch s;
+    PaperWorkspace s;
     BlockGrid grid;
     Scan(const InsertionParameters& p, double resolution, unsigned seed) : grid(resolution) {
         InsertionStats stats;
         takeSamples(test::randomScan(seed, 250), p, grid, seed, s.taken, s.samples, stats);
         bandwidths(s.samples, p, resolution, s.neighbors, s.H);
-        EXPECT_TRUE(scatter(s.samples, s.H, grid, s.scatter));
+        EXPECT_TRUE(scatter(s, grid));
     }
     [[nodiscard]] std::vector<reference::Bandwidth> ownBandwidths() const {
         std::vector<reference::Bandwidth> own;

@@ -2,15 +2,23 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
-#include <akimap/KeyTable.h>
+#include <akimap/Cell.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "grid/BlockGrid.h"
+
 namespace akimap::app {
+
+/** The cell's place in a grid of its own size. */
+[[nodiscard]] inline CellIndex indexOf(const Cell& c) {
+    const auto along = [&](double v) { return static_cast<int32_t>(std::floor(v / c.size)); };
+    return {along(c.x), along(c.y), along(c.z)};
+}
 
 /** A set of cells, one bit each: for drawing, where neighbours are asked for all the time. */
 class CellSet {

@@ -87,7 +87,7 @@ void buildMap(const BuildRequest& request) {
     if (map.isEmpty()) refuseNothing(report, feed);
 
     report.cells = map.cellCount();
-    report.map_bytes = map.grid().memoryBytes();
+    report.map_bytes = map.memoryBytes();
     AtomicFile file(request.output);
     map.saveToFile(file.path());
     for (const std::string& target : request.exports) exportMap(map, target);

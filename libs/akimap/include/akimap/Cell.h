@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <optional>
+
 namespace akimap {
 
 /** Evidence that every cell has before any scan, Eq. (2)-(3). */
@@ -26,5 +28,23 @@ struct Cell {
     double size;     ///< [m] its side
     CellState state;
 };
+
+/** What is known of a cell. */
+enum class CellKind {
+    unknown,     ///< no evidence
+    free,        ///< more than three times as much evidence for free as for occupied
+    occupied,    ///< the other way round
+    conflicting  ///< anything between
+};
+[[nodiscard]] CellKind kindOf(const std::optional<CellState>& cell);
+
+/** Probability that the cell's occupancy exceeds the threshold: 1 - I_threshold(alpha, beta), the
+ * regularized incomplete beta function.
+ * \param threshold in (0, 1) \exception std::invalid_argument if it is not */
+[[nodiscard]] double probabilityAbove(const CellState& cell, double threshold);
+
+/** Of a place that has to be free: the probability that its cell's occupancy is below the
+ * threshold; one half where nothing is known. */
+[[nodiscard]] double confidenceInFree(const std::optional<CellState>& cell, double threshold);
 
 }  // namespace akimap

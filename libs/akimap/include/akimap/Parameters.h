@@ -89,9 +89,8 @@ struct PaperParameters {
     Bandwidth bandwidth = Bandwidth::adaptive;
     double isotropic_length = 0.2;  ///< [m] > 0. Support radius for bandwidth = isotropic
     ScaleSearch scale_search = ScaleSearch::exact;
-    double scale_min_length =
-        0;                   ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this long;
-                             ///< 0: one cell
+    double scale_min_length = 0;  ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this
+                                  ///< long; 0: one cell
     double scale_max = 1.0;  ///< [-] > 0. Upper bound of the length scale in Eq. (7)
     uint64_t seed = 1;       ///< Seed of the free samples' random places
 

@@ -51,8 +51,7 @@ IfFieldsOf<InsertionParameters, Parameters> visitFields(Parameters& o, Visitor&&
     visit("estimator", o.estimator,
           "surface (fitted to hits, free space around rays) | paper (the paper's method)");
     visitScanFields(o, visit);
-    visitEstimatorOptions(o,
-                          [&](Estimator, auto& p, auto&& visitOwn) { visitOwn(p, visit); });
+    visitEstimatorOptions(o, [&](Estimator, auto& p, auto&& visitOwn) { visitOwn(p, visit); });
 }
 
 /** The names of options of estimators that are not in use, set away from their defaults: they

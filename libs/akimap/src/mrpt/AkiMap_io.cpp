@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <akimap/AkiMap.h>
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
@@ -15,6 +14,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "mrpt/Impl.h"
 #include "mrpt/mrpt_compat.h"
 
 namespace akimap {
@@ -95,15 +95,15 @@ void AkiMap::serializeTo(mrpt::serialization::CArchive& out) const {
     insertionOptions.writeToStream(out);
     likelihoodOptions.writeToStream(out);
     renderingOptions.writeToStream(out);
-    out << scan_index_ << static_cast<uint64_t>(grid_.blockCount());
+    out << impl_->next_scan << static_cast<uint64_t>(impl_->grid.blockCount());
     std::vector<Record> records;
     const auto write = [&] {
         out.WriteBufferFixEndianness(reinterpret_cast<const uint32_t*>(records.data()),
                                      records.size() * (sizeof(Record) / sizeof(uint32_t)));
         records.clear();
     };
-    records.reserve(std::min(kRecordsAtOnce, grid_.blockCount()));
-    for (const auto& [b, block] : grid_.sortedBlocks()) {
+    records.reserve(std::min(kRecordsAtOnce, impl_->grid.blockCount()));
+    for (const auto& [b, block] : impl_->grid.sortedBlocks()) {
         Record& record = records.emplace_back();
         record.index = b;
         std::memcpy(&record.sums, block, sizeof(record.sums));
@@ -119,9 +119,9 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
     loaded.insertionOptions.readFromStream(in, version);
     loaded.likelihoodOptions.readFromStream(in, version);
     loaded.renderingOptions.readFromStream(in, version);
-    in >> loaded.scan_index_;
+    in >> loaded.impl_->next_scan;
     auto left = in.ReadAs<uint64_t>();
-    loaded.grid_.reserve(std::min<uint64_t>(left, 1 << 16));  // the number may be wrong
+    loaded.impl_->grid.reserve(std::min<uint64_t>(left, 1 << 16));  // the number may be wrong
     uint64_t previous = 0;
     for (; left > 0; --left) {
         BlockGrid::BlockIndex b;
@@ -133,7 +133,7 @@ void AkiMap::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
         in.ReadBufferFixEndianness(reinterpret_cast<float*>(block.get()),
                                    sizeof(Block) / sizeof(float));
         checkSums(*block);
-        loaded.grid_.adopt(b, block);
+        loaded.impl_->grid.adopt(b, block);
     }
     *this = std::move(loaded);
 }

@@ -4,18 +4,32 @@
 
 #include <akimap/AkiMap.h>
 
-#include "estimators/surface/evidence.h"
+#include <memory>
+
+#include "estimators/estimators.h"
+#include "queries/SurfaceCache.h"
 
 namespace akimap {
 
-/** The buffers of every room, kept between scans so that insertion allocates little. */
-struct AkiMap::Scratch {
-    KeyTable taken;
-    Samples samples;
-    NeighborScratch neighbors;
-    std::vector<Symmetric3> H;
-    ScatterScratch scatter;
-    EvidenceScratch evidence;
+/** What an AkiMap is made of. */
+struct AkiMapImpl {
+    explicit AkiMapImpl(double resolution) : grid(resolution) {}
+    /** Takes over the state; what can be made again from it is left out. */
+    AkiMapImpl(const AkiMapImpl& o) : grid(o.grid), next_scan(o.next_scan), stats(o.stats) {}
+    AkiMapImpl& operator=(const AkiMapImpl&) = delete;
+
+    BlockGrid grid;
+    uint64_t next_scan = 0;  ///< the number of the next scan: with the seed, the whole random state
+    InsertionStats stats;
+
+    SurfaceCache surface;                      ///< of the cells; dropped with each change
+    std::unique_ptr<ScanEstimator> estimator;  ///< of the last insertion, for its workspace
+    Estimator estimator_name{};                ///< which it is
+    const RobotPoseAt* moving_pose = nullptr;  ///< set during insertMovingObservation()
 };
+
+[[nodiscard]] inline MapView viewOf(const AkiMap& map) {
+    return {map.grid(), map.insertionOptions.prior()};
+}
 
 }  // namespace akimap

@@ -91,13 +91,13 @@ struct Saver {
 };
 /** The options in the order of map formats 1 and 2: those of a scan, but for the number of threads,
  * which is no part of a map. */
-constexpr const char* kStreamed[] = {
-    "min_range",         "max_range",           "beyond_max_range", "estimator",
-    "surface_range",     "free_radius",         "max_evidence",     "sampling_distance",
-    "search_range_origin", "search_range_max",  "search_region",    "covariance_center",
-    "covariance_floor",  "bandwidth",           "isotropic_length", "scale_search",
-    "scale_min_length",  "scale_max",           "prior_alpha",      "prior_beta",
-    "seed"};
+constexpr const char* kStreamed[] = {"min_range",        "max_range",         "beyond_max_range",
+                                     "estimator",        "surface_range",     "free_radius",
+                                     "max_evidence",     "sampling_distance", "search_range_origin",
+                                     "search_range_max", "search_region",     "covariance_center",
+                                     "covariance_floor", "bandwidth",         "isotropic_length",
+                                     "scale_search",     "scale_min_length",  "scale_max",
+                                     "prior_alpha",      "prior_beta",        "seed"};
 
 template <class Parameters, class Visitor>
 void visitInStreamOrder(Parameters& o, Visitor&& visit) {
@@ -119,7 +119,7 @@ int firstVersionOf(std::string_view name) {
 struct StreamWriter {
     mrpt::serialization::CArchive& out;
     template <class T>
-    void operator()(const char* name, const T& value, const char*) const {
+    void operator()(const char*, const T& value, const char*) const {
         if constexpr (std::is_enum_v<T>)
             out << static_cast<uint8_t>(value);
         else

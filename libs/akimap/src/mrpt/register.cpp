@@ -33,6 +33,14 @@ void warnOfUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::s
     }
 }
 
+/** Neither do they tell of one that changes nothing. */
+void warnOfIdleOptions(const InsertionParameters& p, const std::string& prefix) {
+    const char* estimator = enumNames(p.estimator)[static_cast<std::size_t>(p.estimator)];
+    for (const std::string& name : idleOptions(p))
+        std::cerr << "akimap: warning: [" << prefix << "_insertOpts] " << name
+                  << " changes nothing: estimator = " << estimator << " does not use it\n";
+}
+
 template <class Parameters>
 void load(LoadableOptions<Parameters>& options, const mrpt::config::CConfigFileBase& source,
           const std::string& section) {
@@ -54,6 +62,7 @@ void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
     readOption(source, prefix + "_creationOpts", "resolution", resolution);
     load(insertionOpts, source, prefix + "_insertOpts");
     load(insertionOpts, source, prefix + "_insertionOpts");
+    warnOfIdleOptions(insertionOpts, prefix);
     load(likelihoodOpts, source, prefix + "_likelihoodOpts");
     load(renderingOpts, source, prefix + "_renderOpts");
     load(renderingOpts, source, prefix + "_renderingOpts");

@@ -83,7 +83,7 @@ void sortByBlock(BinnedKernels& s) {
 }  // namespace
 
 void binKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                  BinnedKernels& s, KernelWeight weight) {
+                BinnedKernels& s, KernelWeight weight) {
     makeKernels(samples, H, resolution, s);
     if (weight == KernelWeight::one)
         for (Kernel& k : s.kernels) k.weight = 1;

@@ -39,11 +39,12 @@ struct BlockOverlap {
 struct BinnedKernels {
     std::vector<Kernel> kernels;
     std::vector<KernelBox> boxes;
-    KeyTable numbers;             // block key -> local number
-    std::vector<uint64_t> keys;   // of the blocks met, in order of first meeting
-    std::vector<uint32_t> start;  // of each block in `overlaps`; one more at the end
-    std::vector<BlockOverlap> overlaps;   // grouped by block, the kernels ascending
-    std::vector<std::pair<uint32_t, BlockOverlap>> pairs;  // (local block, overlap), kernels ascending
+    KeyTable numbers;                    // block key -> local number
+    std::vector<uint64_t> keys;          // of the blocks met, in order of first meeting
+    std::vector<uint32_t> start;         // of each block in `overlaps`; one more at the end
+    std::vector<BlockOverlap> overlaps;  // grouped by block, the kernels ascending
+    std::vector<std::pair<uint32_t, BlockOverlap>>
+        pairs;  // (local block, overlap), kernels ascending
 };
 
 /** What a kernel is worth at its centre. */
@@ -55,7 +56,7 @@ enum class KernelWeight : uint8_t {
 /** Makes the kernels of a scan and bins them by the blocks of 8^3 cells that they meet. Runs in the
  * caller's TBB arena. */
 void binKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                  BinnedKernels& binned, KernelWeight weight);
+                BinnedKernels& binned, KernelWeight weight);
 
 /** Adds the kernels that meet block number b of binKernels() to the sums of its cells, in the
  * samples' order: those of occupied samples to alpha, the others to beta.

@@ -62,8 +62,8 @@ AKIMAP_INLINE RowMask placesWithin(Row half, Row middle) {
  * \return one bit for each eight cells along the lanes, those of layer 0 first: whether the kernel
  * may reach one of them */
 template <Lanes lanes>
-AKIMAP_INLINE uint64_t cutIntoLayers(const Kernel& k, const CellIndex& corner, const BlockOverlap& overlap,
-                                     Layers& layers) {
+AKIMAP_INLINE uint64_t cutIntoLayers(const Kernel& k, const CellIndex& corner,
+                                     const BlockOverlap& overlap, Layers& layers) {
     const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
     const DoubleRow low = kLow - cz, high = kHigh - cz;
     const Row left = 1.0f - joined(low * low, high * high) * k.iz;

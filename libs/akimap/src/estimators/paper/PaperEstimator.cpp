@@ -33,29 +33,28 @@ void PaperEstimator::check(const InsertionParameters& given, double resolution) 
     requireReachWithinGrid("isotropic_length", p.isotropic_length, resolution);
 }
 
-bool PaperEstimator::insert(const Scan& scan, const InsertionParameters& given, BlockGrid& grid,
+bool PaperEstimator::insert(const Scan& scan, const InsertionParameters& p, BlockGrid& grid,
                             InsertionStats& stats) {
-    const InsertionParameters p = inForce(given, grid.resolution());
     Stopwatch watch;
-    takeSamples(scan.rays, p, grid, scan.number, taken_, samples_, stats);
+    takeSamples(scan.rays, p, grid, scan.number, w_.taken, w_.samples, stats);
     stats.seconds_sampling += watch.lap();
-    bandwidths(samples_, p, grid.resolution(), neighbors_, H_);
+    bandwidths(w_.samples, p, grid.resolution(), w_.neighbors, w_.H);
     stats.seconds_bandwidth += watch.lap();
-    const bool changed = scatter(samples_, H_, grid, binned_, update_);
+    const bool changed = scatter(w_, grid);
     stats.seconds_update += watch.lap();
     return changed;
 }
 
-bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             BinnedKernels& binned, BlockUpdate& update) {
-    binKernels(samples, H, grid.resolution(), binned, KernelWeight::density);
-    const auto placeOf = [&](std::size_t b) { return blockInMap(binned.keys[b], samples.anchor); };
-    return update.run(grid, binned.keys.size(), placeOf,
-                      [&](std::size_t b, Block& block, bool fresh) {
-                          if (fresh) block.alpha.fill(0), block.beta.fill(0);
-                          return addKernels(binned, b, samples.occupied, block.alpha.data(),
-                                            block.beta.data());
-                      });
+bool scatter(PaperWorkspace& w, BlockGrid& grid) {
+    binKernels(w.samples, w.H, grid.resolution(), w.kernels, KernelWeight::density);
+    const auto placeOf = [&](std::size_t b) {
+        return blockInMap(w.kernels.keys[b], w.samples.anchor);
+    };
+    const auto add = [&](std::size_t b, Block& block, bool fresh) {
+        if (fresh) block.alpha.fill(0), block.beta.fill(0);
+        return addKernels(w.kernels, b, w.samples.occupied, block.alpha.data(), block.beta.data());
+    };
+    return w.update.run(grid, w.kernels.keys.size(), placeOf, add);
 }
 
 }  // namespace akimap

@@ -11,6 +11,16 @@
 
 namespace akimap {
 
+/** Buffers of the paper's method, kept between scans. */
+struct PaperWorkspace {
+    KeyTable taken;
+    Samples samples;
+    BandwidthWorkspace neighbors;
+    std::vector<Symmetric3> H;  ///< [m^2] of the samples
+    BinnedKernels kernels;
+    BlockUpdate update;
+};
+
 /** The paper's method: samples of both labels, each with a kernel whose bandwidth adapts to its
  * neighbours (Kwon, Moon and Yoon). */
 class PaperEstimator : public ScanEstimator {
@@ -22,19 +32,13 @@ class PaperEstimator : public ScanEstimator {
                 InsertionStats& stats) override;
 
  private:
-    KeyTable taken_;
-    Samples samples_;
-    BandwidthWorkspace neighbors_;
-    std::vector<Symmetric3> H_;
-    BinnedKernels binned_;
-    BlockUpdate update_;
+    PaperWorkspace w_;
 };
 
-/** Adds every sample's weighted kernel to the alpha (occupied) or beta (free) of the cells whose
- * centres it reaches, Eq. (8)-(9). Kernels in the samples' order, so the sums are the same for any
- * number of threads; runs in the caller's TBB arena.
- * \return whether any cell gained evidence \exception std::bad_alloc with no sum changed */
-bool scatter(const Samples& samples, const std::vector<Symmetric3>& H, BlockGrid& grid,
-             BinnedKernels& binned, BlockUpdate& update);
+/** Adds the weighted kernel of every sample of the workspace to the alpha (occupied) or beta (free)
+ * of the cells whose centres it reaches, Eq. (8)-(9). Kernels in the samples' order, so the sums
+ * are the same for any number of threads; runs in the caller's TBB arena. \return whether any cell
+ * gained evidence \exception std::bad_alloc with no sum changed */
+bool scatter(PaperWorkspace& workspace, BlockGrid& grid);
 
 }  // namespace akimap

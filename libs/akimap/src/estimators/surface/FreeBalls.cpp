@@ -73,7 +73,7 @@ void FreeBalls::transformAlong(int axis, int reach) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, keys_.size(), 32), [&](const auto& r) {
         for (std::size_t b = r.begin(); b != r.end(); ++b)
             transformBlock(axis, {beside(keys_[b], -1), blocks_[b].data(), beside(keys_[b], +1)},
-                        reach, transformed_[b].data());
+                           reach, transformed_[b].data());
     });
     blocks_.swap(transformed_);
 }

@@ -14,9 +14,9 @@ namespace akimap {
 
 /** How far each cell lies from the balls of free space around one scan's rays: the power distance
  * min over balls of |cell - centre|^2 + R^2 - radius^2 [cells^2], the balls centred on cells and of
- * radius <= R; less than R^2 inside a ball. Two steps: mark() the balls, then transform(). As in the
- * distance transform of Felzenszwalb and Huttenlocher (2012) it is the least over x, then y, then
- * z; a block of 8^3 cells at a time, and only the blocks that a ball can reach. */
+ * radius <= R; less than R^2 inside a ball. Two steps: mark() the balls, then transform(). As in
+ * the distance transform of Felzenszwalb and Huttenlocher (2012) it is the least over x, then y,
+ * then z; a block of 8^3 cells at a time, and only the blocks that a ball can reach. */
 class FreeBalls {
  public:
     static constexpr int kMaxRadius = Block::kSide;  ///< [cells] R is at most this

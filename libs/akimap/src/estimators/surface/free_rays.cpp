@@ -83,8 +83,8 @@ std::size_t markRange(const KeptRay* rays, const HitPlane* planes, std::size_t n
 }  // namespace
 
 std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitPlane>& planes,
-                     double radius, double resolution, const CellIndex& anchor,
-                     std::vector<FreeBalls>& parts, FreeBalls& free) {
+                        double radius, double resolution, const CellIndex& anchor,
+                        std::vector<FreeBalls>& parts, FreeBalls& free) {
     constexpr std::size_t kFewest = 1000;  // rays of a part
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t n = std::clamp(rays.size() / kFewest, std::size_t{1}, threads);
@@ -102,7 +102,7 @@ std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitP
 }
 
 std::size_t markBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                          const CellIndex& anchor, FreeBalls& free) {
+                      const CellIndex& anchor, FreeBalls& free) {
     std::size_t balls = 0;
     for (const Ray& r : beams)
         balls += markRay(walkOf(r, 1 / resolution, 1, kOffCenter), radius, anchor, free);

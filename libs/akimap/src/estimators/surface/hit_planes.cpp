@@ -32,7 +32,7 @@ Symmetric3 symmetric(const Eigen::Matrix3d& m) {
 /** Fits one hit after the other. */
 class Fitter {
  public:
-    Fitter(const InsertionParameters& p, double resolution)
+    Fitter(const SurfaceParameters& p, double resolution)
         : resolution_(resolution),
           narrowest_(kNarrowest * resolution),
           widest_(widestKernel(p, resolution)) {}
@@ -156,13 +156,13 @@ void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<
 
 }  // namespace
 
-double widestKernel(const InsertionParameters& p, double resolution) {
+double widestKernel(const SurfaceParameters& p, double resolution) {
     return std::max(2 * p.surface_range, kNarrowest * resolution);
 }
 
-void fitHitPlanes(const std::vector<KeptRay>& rays, Samples& hits, const InsertionParameters& p,
-                double resolution, HitPlaneWorkspace& scratch, std::vector<HitPlane>& planes,
-                std::vector<Symmetric3>& H) {
+void fitHitPlanes(const std::vector<KeptRay>& rays, Samples& hits, const SurfaceParameters& p,
+                  double resolution, HitPlaneWorkspace& scratch, std::vector<HitPlane>& planes,
+                  std::vector<Symmetric3>& H) {
     planes.resize(hits.size());
     H.resize(hits.size());
     scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move

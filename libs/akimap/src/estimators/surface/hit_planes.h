@@ -5,11 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "estimators/paper/bandwidth.h"
+#include "estimators/hits.h"
+#include "numeric/Ldlt.h"
+#include "numeric/NeighborRows.h"
 
 namespace akimap {
 
-/** The surface around a hit. */
+/** The plane of the surface around a hit. */
 struct HitPlane {
     std::array<float, 3> normal;  ///< of unit length, either way; only if `flat`
     bool flat;                    ///< whether the neighbours lie in a plane
@@ -21,7 +23,7 @@ struct HitPlaneWorkspace {
     std::vector<float> x, y, z;
 };
 
-/** Room 3 of the surface estimator: the local surface around each hit, by the covariance of its
+/** Fits the local surface around each hit, by the covariance of its
  * neighbours about their mean. The neighbours lie in the smallest of a few balls that holds enough
  * of them. Moves hits on flat surfaces onto their plane, and gives each an ellipsoid H [m^2]: as
  * thin across the surface as the cells allow, and along it wide enough to reach the next hits.
@@ -29,10 +31,11 @@ struct HitPlaneWorkspace {
  * \param hits occupied samples only
  * The same for any number of threads; runs in the caller's TBB arena. */
 void fitHitPlanes(const std::vector<KeptRay>& rays, Samples& hits,
-                const InsertionParameters& parameters, double resolution, HitPlaneWorkspace& scratch,
-                std::vector<HitPlane>& planes, std::vector<Symmetric3>& H);
+                  const SurfaceParameters& parameters, double resolution,
+                  HitPlaneWorkspace& workspace, std::vector<HitPlane>& planes,
+                  std::vector<Symmetric3>& H);
 
 /** The longest semi-axis [m] that fitHitPlanes() gives a hit on a surface. */
-[[nodiscard]] double widestKernel(const InsertionParameters& p, double resolution);
+[[nodiscard]] double widestKernel(const SurfaceParameters& p, double resolution);
 
 }  // namespace akimap

@@ -16,8 +16,8 @@ void visitSurfaceFields(Parameters& o, Visitor&& visit) {
           "[-] 0 or >= 1. Bound of alpha + beta, so that old scans fade; 0: none");
 }
 
-/** [cells] How far free space reaches from a ray: wide enough that neighbouring balls leave no hole,
- * and no farther than the distance transform. */
+/** [cells] How far free space reaches from a ray: wide enough that neighbouring balls leave no
+ * hole, and no farther than the distance transform. */
 [[nodiscard]] double freeRadiusInCells(const SurfaceParameters& p, double resolution);
 
 /** As the estimator uses them at this cell size [m]. */
