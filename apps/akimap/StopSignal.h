@@ -3,6 +3,8 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
+#include <thread>
 
 namespace akimap::app {
 
@@ -10,7 +12,9 @@ namespace akimap::app {
  * ends it as usual. At most one at a time. */
 class StopSignal {
  public:
-    StopSignal();
+    /** \param before_end called, in a thread of its own, before the second signal ends the program:
+     * there destructors don't run */
+    explicit StopSignal(std::function<void()> before_end = {});
     ~StopSignal();
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
@@ -19,6 +23,7 @@ class StopSignal {
     [[nodiscard]] static bool requested();
 
  private:
+    std::thread ending_;  // waits for the second signal
     struct sigaction old_interrupt_ {
     }, old_terminate_{};
 };
