@@ -232,6 +232,18 @@ TEST_F(SlamCommands, ASecondInterruptEndsItAtOnceAndLeavesNothingBehind) {
     EXPECT_EQ(filesIn(file("out")), std::set<std::string>{"mine.txt"});
 }
 
+TEST_F(SlamCommands, AClosedTerminalEndsTheLogLikeAnInterrupt) {
+    const std::string shipped = std::string(AKIMAP_SOURCE_DIR) + "/share/akimap/config_files/";
+    Background program("slam " + shipped + "rbpf-slam.ini " + quoted_log + " -o " + file("out"),
+                       file("said"));
+    ASSERT_TRUE(appears(file("out"), "log_estimated_path.txt"));
+    program.hangUp();
+    EXPECT_EQ(program.wait().exit, 0);
+    const auto files = filesIn(file("out"));
+    EXPECT_EQ(files.count("map.akimap"), 1u);
+    for (const std::string& name : files) EXPECT_NE(name[0], '.') << name;
+}
+
 TEST_F(SlamCommands, HelpTellsHowTheMethodIsChosen) {
     const auto help = runProgram("slam --help");
     EXPECT_EQ(help.exit, 0);

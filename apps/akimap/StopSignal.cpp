@@ -11,6 +11,8 @@ namespace akimap::app {
 
 namespace {
 
+constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+
 // All that a signal handler may touch.
 std::atomic<bool> is_requested{false};
 std::atomic<int> second_signal{0};
@@ -42,14 +44,18 @@ StopSignal::StopSignal(std::function<void()> before_end) {
     ending_ = std::thread([before_end = std::move(before_end)] { endAtSecondSignal(before_end); });
     struct sigaction action {};
     action.sa_handler = handle;
-    // Even where it is ignored, as in a script's background jobs: kill -INT is how to end those.
-    sigaction(SIGINT, &action, &old_interrupt_);
-    sigaction(SIGTERM, &action, &old_terminate_);
+    for (std::size_t i = 0; i < kSignals.size(); i++) {
+        sigaction(kSignals[i], nullptr, &old_actions_[i]);
+        // Ignored as in a script's background jobs: kill -INT is how to end those. But nohup is
+        // meant so.
+        const bool is_nohup = kSignals[i] == SIGHUP && old_actions_[i].sa_handler == SIG_IGN;
+        if (!is_nohup) sigaction(kSignals[i], &action, nullptr);
+    }
 }
 
 StopSignal::~StopSignal() {
-    sigaction(SIGINT, &old_interrupt_, nullptr);
-    sigaction(SIGTERM, &old_terminate_, nullptr);
+    for (std::size_t i = 0; i < kSignals.size(); i++)
+        sigaction(kSignals[i], &old_actions_[i], nullptr);
     sem_post(&wake);
     ending_.join();
     sem_destroy(&wake);

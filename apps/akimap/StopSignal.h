@@ -2,14 +2,15 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <array>
 #include <csignal>
 #include <functional>
 #include <thread>
 
 namespace akimap::app {
 
-/** While one lives, the first SIGINT (^C) or SIGTERM only asks the program to finish; the second
- * ends it as usual. At most one at a time. */
+/** While one lives, the first SIGINT (^C), SIGTERM or SIGHUP (its terminal closes) only asks the
+ * program to finish; the second ends it as usual. At most one at a time. */
 class StopSignal {
  public:
     /** \param before_end called, in a thread of its own, before the second signal ends the program:
@@ -24,8 +25,7 @@ class StopSignal {
 
  private:
     std::thread ending_;  // waits for the second signal
-    struct sigaction old_interrupt_ {
-    }, old_terminate_{};
+    std::array<struct sigaction, 3> old_actions_{};
 };
 
 }  // namespace akimap::app
