@@ -3,6 +3,9 @@
 //
 // `akimap holdout`: maps judged by the scans they never got.
 
+#include <akimap/rays.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
 #include "build_fixture.h"
 #include "evaluation/holdout.h"
 #include "evaluation/octomap_scan.h"
@@ -167,6 +170,66 @@ TEST_F(Holdout, IsWhatItsPartsSayByHand) {
     expectFigures(json["AkiMap"], score(collect(lookupIn(map), held_out)));
     expectFigures(json["isotropic"], score(collect(lookupIn(isotropic), held_out)));
     expectFigures(json["COctoMap"], score(collect(lookupIn(octomap), held_out)));
+}
+
+TEST_F(Holdout, BeamsWithoutAReturnAreTakenAsTheIniSays) {
+    // An arc of 2 m about the robot; to its right, all but the held-out scan got no return.
+    const auto arc = [](int i, bool whole) {
+        auto scan = atTimeOf<CObservation2DRangeScan>(i);
+        scan->aperture = 3, scan->maxRange = 6;
+        scan->sensorPose = CPose3D(0, 0, 1, 0, 0, 0);
+        scan->resizeScanAndAssign(91, 2, true);
+        for (std::size_t k = 0; k < 45; k++) scan->setScanRangeValidity(k, whole);
+        return scan;
+    };
+    const auto held_out = akimap::raysOf(*arc(1, true), [](auto) { return CPose3D(); }).value();
+    ASSERT_EQ(held_out.size(), 91u);
+    Objects scans;
+    for (int i = 0; i < 3; i++) scans.push_back(arc(i, i == 1));
+    std::string standing;
+    for (int i = 0; i < 3; i++) standing += std::to_string(timeOf(i)) + " 0 0 0 0 0 0 1\n";
+    const std::string log =
+        plain("l.rawlog", scans) + " --trajectory " + write("t.tum", standing) + " --every 2 -c ";
+
+    AkiMap map(0.107);
+    map.insertionOptions.beyond_max_range = akimap::BeyondMaxRange::free;
+    AkiMap isotropic = map;
+    isotropic.insertionOptions.estimator = akimap::Estimator::paper;
+    isotropic.insertionOptions.bandwidth = akimap::Bandwidth::isotropic;
+    mrpt::maps::COctoMap octomap(0.107);
+    for (const int i : {0, 2}) {
+        map.insertObservation(*arc(i, false));
+        isotropic.insertObservation(*arc(i, false));
+        insertRays(octomap, akimap::raysOf(*arc(i, false), [](auto) { return CPose3D(); }).value());
+    }
+    const std::string ini =
+        "[MappingApplication]\nakimap_count = 1\n[MappingApplication_akimap_00_creationOpts]\n"
+        "resolution = 0.107\n[MappingApplication_akimap_00_insertOpts]\nbeyond_max_range = ";
+    const auto ignored = figuresOf(log + write("ignore.ini", ini + "ignore\n"));
+    const auto json = figuresOf(log + write("free.ini", ini + "free\n"));
+    EXPECT_EQ(json["queries"], 91 * 4) << "beams without a return are no queries";
+    EXPECT_GT(json["AkiMap"]["known_cells"], ignored["AkiMap"]["known_cells"]);
+    expectFigures(json["AkiMap"], score(collect(lookupIn(map), held_out)));
+    expectFigures(json["isotropic"], score(collect(lookupIn(isotropic), held_out)));
+    expectFigures(json["COctoMap"], score(collect(lookupIn(octomap), held_out)));
+}
+
+TEST_F(Holdout, BeamsWithoutAReturnAreNoQueries) {
+    // Held out now is the scan that lacks some.
+    auto scan = atTimeOf<CObservation2DRangeScan>(0);
+    scan->aperture = 3, scan->maxRange = 6;
+    scan->resizeScanAndAssign(91, 2, true);
+    auto lacking = CObservation2DRangeScan::Create(*scan);
+    lacking->timestamp = mrpt::Clock::fromDouble(timeOf(1));
+    for (std::size_t k = 0; k < 45; k++) lacking->setScanRangeValidity(k, false);
+    const std::string log =
+        plain("l.rawlog", {scan, lacking}) + " --trajectory " + trajectory(0, 1);
+    const auto json =
+        figuresOf(log + " --every 2 -c " +
+                  write("free.ini",
+                        "[MappingApplication]\nakimap_count = 1\n"
+                        "[MappingApplication_akimap_00_insertOpts]\nbeyond_max_range = free\n"));
+    EXPECT_EQ(json["queries"], 46 * 4);
 }
 
 TEST_F(Holdout, NoMapGetsAHeldOutScan) {

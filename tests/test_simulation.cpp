@@ -20,6 +20,7 @@
 #include <functional>
 #include <sstream>
 
+#include "quantile.h"
 #include "run_program.h"
 #include "simulation/simulate.h"
 #include "simulation/truth.h"
@@ -328,12 +329,6 @@ struct Placed : CObservationVelodyneScan::PointCloudStorageWrapper {
     std::vector<double> distances;
 };
 
-double quantile(std::vector<double> values, double share) {
-    const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
-
 TEST(Simulate, packetTimesOfAMovingLidarMatchTheTrajectory) {
     const TemporaryFolder folder;
     const ::Run run = runProgram("simulate structured --sensor velodyne --moving --seed 3 -o " +
@@ -392,7 +387,8 @@ TEST(Simulate, filesReadBackAndDependOnTheSeedOnly) {
             const auto obs = log.getAsObservation(i);
             EXPECT_FALSE(obs->sensorLabel.empty());
             const auto& keyframe = *(map.begin() + static_cast<std::ptrdiff_t>(i));
-            const CPose3D mean = keyframe.pose->getMeanVal(), at = interpolate(path, obs->timestamp);
+            const CPose3D mean = keyframe.pose->getMeanVal(),
+                          at = interpolate(path, obs->timestamp);
             EXPECT_LT(mean.distanceTo(at), 1e-3);
             EXPECT_LT((mean - at).asTPose().norm(), 1e-3);
             EXPECT_EQ(keyframe.sf->getObservationByIndex(0)->timestamp, obs->timestamp);

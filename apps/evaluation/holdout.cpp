@@ -16,10 +16,6 @@ constexpr double kSpacing = 0.5;    // [m] of the free places
 constexpr double kClearance = 0.2;  // [m] between the last of them and the end
 constexpr double kRounding = 1e-9;  // [m] poses are applied in floating point
 
-double lengthOf(const Ray& r) {
-    return std::hypot(r.end[0] - r.origin[0], r.end[1] - r.origin[1], r.end[2] - r.origin[2]);
-}
-
 std::size_t freeCount(double length) {
     const double room = length - kClearance + kRounding;
     return room < kSpacing ? 0 : static_cast<std::size_t>(room / kSpacing);

@@ -24,7 +24,7 @@ struct Query {
  * end, free, and then its end, occupied. */
 [[nodiscard]] std::vector<Query> queriesOf(const Ray& ray);
 
-/** The rays that AkiMap::insertRays() would take by their length; finite ones only. */
+/** The returns that AkiMap::insertRays() would take by their length; finite ones only. */
 [[nodiscard]] std::vector<Ray> raysInRange(const std::vector<Ray>& rays,
                                            const InsertionParameters& ranges);
 

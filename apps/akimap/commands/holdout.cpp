@@ -49,16 +49,16 @@ struct Results {
     std::vector<nlohmann::ordered_json> figures;
 };
 
-void takeScan(Contest& contest, const std::vector<Ray>& rays, bool held_out) {
+void takeScan(Contest& contest, const Scan& scan, bool held_out) {
     contest.scans++;
-    const std::vector<Ray> usable = raysInRange(rays, contest.akimap.insertionOptions);
+    const std::vector<Ray> usable = raysInRange(raysOf(scan), contest.akimap.insertionOptions);
     if (held_out) {
         contest.held_out_scans++;
         contest.held_out.insert(contest.held_out.end(), usable.begin(), usable.end());
         return;
     }
-    contest.akimap.insertRays(rays);
-    contest.isotropic.insertRays(rays);
+    insertScan(contest.akimap, scan);
+    insertScan(contest.isotropic, scan);
     insertRays(contest.octomap, usable);
 }
 
@@ -120,7 +120,7 @@ void run(const HoldoutRequest& request) {
 
     ScanFeed feed(request.input);
     const auto take = [&](const Scan& scan, uint64_t number) {
-        takeScan(contest, raysOf(scan), isHeldOut(number, request.every));
+        takeScan(contest, scan, isHeldOut(number, request.every));
     };
     feed.forEachScan(take, !request.quiet);
     if (contest.scans < request.every)
@@ -148,8 +148,10 @@ void addHoldout(CLI::App& app) {
         "The map is built from the other scans. Each held-out ray within the range limits then\n"
         "asks for its end, which is occupied, and for one place every 0.5 m up to 0.2 m before\n"
         "it, which are free. known: where the map has evidence, each map by its own; all: with\n"
-        "an occupancy of 0.5 elsewhere. Beside it stand the same map with --bandwidth isotropic\n"
-        "and MRPT's COctoMap (its defaults, the same cells and points), from the same scans.\n"
+        "an occupancy of 0.5 elsewhere. Beside it stand the same map with --estimator paper\n"
+        "--bandwidth isotropic and MRPT's COctoMap (its defaults, the same cells and points), "
+        "from\n"
+        "the same scans. Beams without a return are no queries, and nothing to COctoMap.\n"
         "mse is the Brier score.");
     const auto request = std::make_shared<HoldoutRequest>();
     addInputOptions(*command, request->input);

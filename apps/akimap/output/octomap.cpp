@@ -6,6 +6,7 @@
 #include <functional>
 #include <sstream>
 
+#include "evaluation/octomap_file.h"
 #include "output/binary_tree.h"
 #include "output/formats.h"
 #include "output/stream.h"
@@ -15,18 +16,17 @@ namespace akimap::app {
 
 namespace {
 
-constexpr int32_t kHalf = 32768;  // OctoMap's keys have 16 bits, with cell 0 in the middle
-
 octomap::OcTreeKey keyOf(const Cell& cell) {
     const CellIndex c = indexOf(cell);
     for (const int32_t i : {c.x, c.y, c.z})
-        if (i < -kHalf || i >= kHalf) {
+        if (i < -kOctoMapHalf || i >= kOctoMapHalf) {
             std::ostringstream why;
-            why << "an OctoMap tree of " << cell.size << " m cells ends at +-" << kHalf * cell.size
-                << " m, and the map has a cell at " << cell.x << ", " << cell.y << ", " << cell.z;
+            why << "an OctoMap tree of " << cell.size << " m cells ends at +-"
+                << kOctoMapHalf * cell.size << " m, and the map has a cell at " << cell.x << ", "
+                << cell.y << ", " << cell.z;
             throw std::runtime_error(why.str());
         }
-    const auto key = [](int32_t i) { return static_cast<octomap::key_type>(i + kHalf); };
+    const auto key = [](int32_t i) { return static_cast<octomap::key_type>(i + kOctoMapHalf); };
     return {key(c.x), key(c.y), key(c.z)};
 }
 
