@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "grid/BlockGrid.h"
 #include "scenes.h"
 #include "timing.h"
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <random>
 
+#include "grid/BlockGrid.h"
 #include "mapping/RealtimeGate.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"

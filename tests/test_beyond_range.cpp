@@ -13,6 +13,7 @@
 #include <cstring>
 #include <random>
 
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "run_program.h"
 #include "same_map.h"

@@ -15,6 +15,7 @@
 #include <map>
 #include <thread>
 
+#include "grid/BlockGrid.h"
 #include "mrpt/option_fields.h"
 #include "random_scans.h"
 #include "run_program.h"

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <random>
 
+#include "grid/BlockGrid.h"
 #include "estimators/kernels/kernel_function.h"
 #include "evaluation/evaluate.h"
 #include "input/PcdReader.h"

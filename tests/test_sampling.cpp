@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "grid/BlockGrid.h"
 #include "estimators/hits.h"
 #include "random_scans.h"
 

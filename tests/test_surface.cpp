@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "same_map.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
+#include "grid/BlockGrid.h"
 #include "pictures/faces.h"
 
 namespace akimap::app {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include "grid/BlockGrid.h"
 #include "estimators/ScanEstimator.h"
 #include "estimators/hits.h"
 #include "grid/BlockUpdate.h"

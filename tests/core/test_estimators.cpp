@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include <gtest/gtest.h>
 
+#include "grid/BlockGrid.h"
 #include "HitCounter.h"
 #include "estimators/estimators.h"
 #include "estimators/options.h"

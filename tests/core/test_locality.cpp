@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "grid/BlockGrid.h"
 #include "estimators/estimators.h"
 #include "random_scans.h"
 #include "same_blocks.h"

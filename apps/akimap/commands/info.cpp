@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "grid/BlockGrid.h"
 #include "commands/commands.h"
 #include "mapping/config.h"
 #include "pictures/MapCells.h"

@@ -30,7 +30,7 @@ OptionText describedAs(const std::string& key) {
     throw std::logic_error("no option " + key);
 }
 
-template <class T>
+template <class T, class Owner>
 void set(MapRequest& request, T Owner::*field, const T& value) {
     request.settings.emplace_back([field, value](AkiMap::TMapDefinition& definition) {
         definition.insertionOpts.*field = value;
