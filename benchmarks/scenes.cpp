@@ -119,7 +119,7 @@ Scene pcdFolder(const std::string& name, const std::string& folder) {
 Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
     Scene s{name, {}, {}, {}};
     app::ScanFeed feed(inputs);
-    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan)); },
+    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan, false)); },
                      false);
     return s;
 }
