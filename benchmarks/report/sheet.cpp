@@ -66,7 +66,7 @@ void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std
     const TruthCells truth(scene);
     std::vector<NamedMap> panels = {{"the truth", truth.lookup()}};
     panels.insert(panels.end(), maps.begin(), maps.end());
-    app::ExportOptions options;
+    app::PictureOptions options;
     options.slice = 1.0;
     const auto viewpoint =
         app::chooseViewpoint(viewOf(panels.front().occupancy, scene.box, resolution), options);
