@@ -29,9 +29,10 @@ int main(int argc, char** argv) try {
         ->expected(2, 50);
     CLI11_PARSE(app, argc, argv);
     const Scene scene = scansOf("", inputs);
+    const auto bins = planeResiduals(scene.scans, options);
     std::printf("%zu scans\nrange [m]        patches   residual [mm]   lower quartile [mm]\n",
                 scene.scans.size());
-    for (const ResidualBin& bin : planeResiduals(scene.scans, options))
+    for (const ResidualBin& bin : bins)
         std::printf("%5.2f to %5.2f %10zu %15.1f %21.1f\n", bin.from, bin.to, bin.patches,
                     1e3 * bin.residual, 1e3 * bin.lower_quartile);
     return 0;
