@@ -7,7 +7,7 @@
 #include <set>
 
 #include "grid/BlockGrid.h"
-#include "estimators/hits.h"
+#include "estimators/paper/free_samples.h"
 #include "random_scans.h"
 
 using namespace akimap;

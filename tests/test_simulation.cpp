@@ -101,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(All, Scenes,
                          testing::Values(std::pair{SceneKind::structured, 1},
                                          std::pair{SceneKind::unstructured, 1},
                                          std::pair{SceneKind::unstructured, 2},
-                                         std::pair{SceneKind::unstructured, 3}));
+                                         std::pair{SceneKind::unstructured, 3},
+                                         std::pair{SceneKind::furnished, 1}));
 
 /** The observation's points in the sensor's frame, as MRPT decodes them, with their times. */
 struct Decoded {
@@ -215,7 +216,7 @@ bool isOccupied(const octomap::OcTree& truth, const TPoint3D& p) {
 TEST_P(Sensors, truthAgreesWithTheSurfacesAndTheNoiselessRays) {
     for (const SceneKind scene : {SceneKind::structured, SceneKind::unstructured}) {
         auto options = drive(scene, GetParam(), 2);
-        options.range_noise = 0;
+        options.errors = RangeErrors();
         const SimulatedDrive simulated = simulate(options);
         constexpr double kCell = 0.1;
         const auto truth = simulated.truth(kCell);
@@ -279,7 +280,8 @@ TEST(Simulation, refusesWhatItCannotDo) {
     options.moving = true;
     EXPECT_THROW(simulate(options), std::runtime_error);
     options = {};
-    options.range_noise = -1;
+    options.errors = RangeErrors();
+    options.errors->constant = -1;
     EXPECT_THROW(simulate(options), std::runtime_error);
     options = {};
     options.max_range = 0;

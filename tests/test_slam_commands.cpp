@@ -218,7 +218,7 @@ TEST_F(SlamCommands, WhatThreadsOfMrptsThrowLeavesNothingBehind) {
     EXPECT_EQ(filesIn(file("out")), std::set<std::string>{"mine.txt"});
 }
 
-TEST_F(SlamCommands, ASecondInterruptEndsItAtOnceAndLeavesNothingBehind) {
+TEST_F(SlamCommands, ASecondSignalEndsItAtOnceAndLeavesNothingBehind) {
     const std::string shipped = std::string(AKIMAP_SOURCE_DIR) + "/share/akimap/config_files/";
     std::filesystem::create_directory(file("out"));
     writeText(file("out/mine.txt"), "precious");
@@ -226,9 +226,9 @@ TEST_F(SlamCommands, ASecondInterruptEndsItAtOnceAndLeavesNothingBehind) {
                        file("said"));
     ASSERT_TRUE(appears(file("out"), "log_estimated_path.txt"));
     program.interrupt();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));  // else the two are one
-    program.interrupt();
-    EXPECT_EQ(program.wait().exit, 128 + SIGINT);
+    program.terminate();  // two of a kind are one signal while none is handled
+    const int exit = program.wait().exit;
+    EXPECT_TRUE(exit == 128 + SIGINT || exit == 128 + SIGTERM) << exit;
     EXPECT_EQ(filesIn(file("out")), std::set<std::string>{"mine.txt"});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 // Bounded work: operations counted, not timed, on scans made to be awkward.
+#include <akimap/AkiMap.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -152,12 +152,12 @@ bool insertScan(AkiMap& map, const Scan& scan) {
         *scan.observation, [&](mrpt::Clock::time_point time) { return scan.motion->at(time); });
 }
 
-std::vector<Ray> raysOf(const Scan& scan) {
+std::vector<Ray> raysOf(const Scan& scan, bool with_free) {
     if (!scan.observation) return scan.rays;
     const auto pose_at = [&](mrpt::Clock::time_point time) {
         return scan.motion ? scan.motion->at(time) : std::optional(scan.robot_pose);
     };
-    return akimap::raysOf(*scan.observation, pose_at, scan.motion != nullptr)
+    return akimap::raysOf(*scan.observation, pose_at, scan.motion != nullptr, with_free)
         .value_or(std::vector<Ray>());
 }
 

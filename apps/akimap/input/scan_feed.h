@@ -67,7 +67,7 @@ class ScanFeed {
 /** Inserts a scan as `akimap build` does. \return whether the map changed */
 bool insertScan(AkiMap& map, const Scan& scan);
 
-/** The returns of a scan as rays, usable or not; beams without one are left out. */
-[[nodiscard]] std::vector<Ray> raysOf(const Scan& scan);
+/** A scan as rays, usable or not. \param with_free beams without a return too, where it has them */
+[[nodiscard]] std::vector<Ray> raysOf(const Scan& scan, bool with_free);
 
 }  // namespace akimap::app
