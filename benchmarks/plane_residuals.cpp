@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "numeric/kd_tree.h"
+#include "quantile.h"
 
 namespace akimap::bench {
 namespace {
@@ -38,7 +39,7 @@ Bundle bundleOf(const std::vector<Ray>& rays) {
     return b;
 }
 
-using Neighbors = std::vector<SurfacePoints::Neighbor>;
+using Neighbors = std::vector<Neighbor>;
 
 /** Standard deviation along the rays [m]; empty if the patch is no plane seen from before. */
 std::optional<double> residualOf(const Bundle& b, const Neighbors& patch, double max_incidence) {
@@ -62,14 +63,6 @@ std::optional<double> residualOf(const Bundle& b, const Neighbors& patch, double
         squares += along * along;
     }
     return std::sqrt(squares / static_cast<double>(patch.size() - 3));
-}
-
-double quantile(std::vector<double>& values, double share) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto at = values.begin() +
-                    static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
 }
 
 void addPatches(const Bundle& b, const ResidualOptions& o,
@@ -102,9 +95,9 @@ std::vector<ResidualBin> planeResiduals(const std::vector<std::vector<Ray>>& sca
     for (const auto& scan : scans) addPatches(bundleOf(scan), options, residuals);
     std::vector<ResidualBin> bins;
     for (std::size_t i = 0; i < residuals.size(); i++) {
-        const double median = quantile(residuals[i], 0.5);
+        const double median = app::quantile(residuals[i], 0.5);
         bins.push_back({options.edges[i], options.edges[i + 1], residuals[i].size(), median,
-                        quantile(residuals[i], 0.25)});
+                        app::quantile(residuals[i], 0.25)});
     }
     return bins;
 }

@@ -13,8 +13,8 @@
 namespace akimap::bench {
 namespace {
 
-std::set<Cell> cellsOf(const std::vector<app::ShapePtr>& shapes, double resolution) {
-    std::set<Cell> cells;
+std::set<CellPlace> cellsOf(const std::vector<app::ShapePtr>& shapes, double resolution) {
+    std::set<CellPlace> cells;
     for (const app::ShapePtr& shape : shapes)
         for (const app::SurfacePoint& p : shape->surface(resolution / 4)) {
             const auto index = [&](double v) {
@@ -25,14 +25,15 @@ std::set<Cell> cellsOf(const std::vector<app::ShapePtr>& shapes, double resoluti
     return cells;
 }
 
-std::vector<Cell> without(const std::set<Cell>& cells, const std::set<Cell>& others) {
-    std::vector<Cell> rest;
+std::vector<CellPlace> without(const std::set<CellPlace>& cells,
+                               const std::set<CellPlace>& others) {
+    std::vector<CellPlace> rest;
     std::set_difference(cells.begin(), cells.end(), others.begin(), others.end(),
                         std::back_inserter(rest));
     return rest;
 }
 
-bool holds(const std::vector<Cell>& sorted, const Cell& cell) {
+bool holds(const std::vector<CellPlace>& sorted, const CellPlace& cell) {
     return std::binary_search(sorted.begin(), sorted.end(), cell);
 }
 
@@ -42,18 +43,18 @@ class Watch {
     Watch(const MapUnderTest& map, double resolution) : map_(map), resolution_(resolution) {}
 
     /** \param someone  where they are now, this scan inserted */
-    void look(const std::vector<Cell>& someone) {
+    void look(const std::vector<CellPlace>& someone) {
         for (auto& [cell, waited] : waiting_) waited++;
-        for (const Cell& cell : last_)
+        for (const CellPlace& cell : last_)
             if (!holds(someone, cell) && was_occupied_.count(cell)) waiting_[cell] = 1;
-        for (const Cell& cell : someone) waiting_.erase(cell);
+        for (const CellPlace& cell : someone) waiting_.erase(cell);
         visited_.insert(someone.begin(), someone.end());
         count(someone);
         last_ = someone;
         was_occupied_.clear();
         std::copy_if(someone.begin(), someone.end(),
                      std::inserter(was_occupied_, was_occupied_.end()),
-                     [&](const Cell& c) { return isOccupied(c); });
+                     [&](const CellPlace& c) { return isOccupied(c); });
         residue_.present.push_back(was_occupied_.size());
     }
     [[nodiscard]] Residue result() && {
@@ -62,9 +63,10 @@ class Watch {
     }
 
  private:
-    void count(const std::vector<Cell>& someone) {
+    void count(const std::vector<CellPlace>& someone) {
         std::size_t left = 0;
-        for (const Cell& cell : visited_) left += !holds(someone, cell) && isOccupied(cell) ? 1 : 0;
+        for (const CellPlace& cell : visited_)
+            left += !holds(someone, cell) && isOccupied(cell) ? 1 : 0;
         residue_.cells.push_back(left);
         for (auto it = waiting_.begin(); it != waiting_.end();) {
             if (isOccupied(it->first)) {
@@ -75,7 +77,7 @@ class Watch {
             it = waiting_.erase(it);
         }
     }
-    [[nodiscard]] bool isOccupied(const Cell& c) const {
+    [[nodiscard]] bool isOccupied(const CellPlace& c) const {
         const auto p = map_.occupancy((c[0] + 0.5) * resolution_, (c[1] + 0.5) * resolution_,
                                       (c[2] + 0.5) * resolution_);
         return p && *p > 0.5;
@@ -84,9 +86,9 @@ class Watch {
     const MapUnderTest& map_;
     double resolution_;
     Residue residue_;
-    std::set<Cell> visited_, was_occupied_;  // the latter after the last scan
-    std::vector<Cell> last_;
-    std::map<Cell, std::size_t> waiting_;  // scans since they were left
+    std::set<CellPlace> visited_, was_occupied_;  // the latter after the last scan
+    std::vector<CellPlace> last_;
+    std::map<CellPlace, std::size_t> waiting_;  // scans since they were left
 };
 
 }  // namespace
@@ -104,7 +106,7 @@ WatchedWalk simulatedWalk(app::SensorKind sensor, const std::string& name, uint6
     app::Trajectory stand;
     stand.add(kStart, robot), stand.add(end + 1, robot);
 
-    const std::set<Cell> stays = cellsOf(room.shapes(), resolution);
+    const std::set<CellPlace> stays = cellsOf(room.shapes(), resolution);
     const auto offsets = app::drawBeamOffsets(model, model.errors, seed);
     app::Random random(seed, 6);
     WatchedWalk watched{name, resolution, model.max_range, {}, 0};

@@ -10,12 +10,12 @@
 
 namespace akimap::bench {
 
-using Cell = std::array<int, 3>;  ///< holds [i, i + 1) times the resolution along each axis
+using CellPlace = std::array<int, 3>;  ///< holds [i, i + 1) times the resolution along each axis
 
 /** A scan, and where someone was when it was taken. */
 struct WatchedScan {
     std::vector<Ray> rays;
-    std::vector<Cell> someone;  ///< sorted: cells cut by them, and by nothing that stays
+    std::vector<CellPlace> someone;  ///< sorted: cells cut by them, and by nothing that stays
 };
 
 struct WatchedWalk {

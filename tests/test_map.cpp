@@ -128,12 +128,27 @@ TEST(AkiMap, SameBitsForAnyNumberOfThreads) {
 
 TEST(AkiMap, ScansThatHoldNothingUsableChangeNothing) {
     AkiMap map = smallMap();
-    const auto before = fingerprint(map);
+    const auto before = test::cellsFingerprint(map);
     EXPECT_FALSE(map.insertRays({}));
     EXPECT_FALSE(map.insertRays({Ray{{0, 0, 0}, {NAN, 0, 0}}}));
     EXPECT_FALSE(map.insertRays({Ray{{0, 0, 0}, {100, 0, 0}}}));
-    EXPECT_EQ(fingerprint(map), before);
+    EXPECT_EQ(test::cellsFingerprint(map), before);
     EXPECT_EQ(map.stats().dropped_nonfinite, 1u);
+}
+
+TEST(AkiMap, ScansAreNumberedAsTheyAreOffered) {
+    // The paper's draws must not depend on what else the map holds: a scan that changes nothing
+    // has a number too.
+    const auto after = [](const std::vector<std::vector<Ray>>& scans) {
+        AkiMap map(0.1);
+        map.insertionOptions.estimator = Estimator::paper;
+        for (const auto& rays : scans) map.insertRays(rays);
+        return test::cellsFingerprint(map);
+    };
+    const auto scan = test::randomScan(1, 300);
+    const std::vector<Ray> too_far{Ray{{0, 0, 0}, {100, 0, 0}}};
+    EXPECT_EQ(after({{}, scan}), after({too_far, scan}));
+    EXPECT_NE(after({scan}), after({too_far, scan}));
 }
 
 TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {

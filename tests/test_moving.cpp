@@ -15,12 +15,12 @@ namespace {
 using namespace akimap;
 using namespace akimap::bench;
 
-const Cell kA{1, 0, 0}, kB{2, 0, 0}, kC{3, 0, 0};
+const CellPlace kA{1, 0, 0}, kB{2, 0, 0}, kC{3, 0, 0};
 
 /** Says of each cell after each scan what the test says. */
 class ScriptedMap : public MapUnderTest {
  public:
-    explicit ScriptedMap(std::map<Cell, std::string> script) : script_(std::move(script)) {}
+    explicit ScriptedMap(std::map<CellPlace, std::string> script) : script_(std::move(script)) {}
     void insert(const PreparedScan&) override { scan_++; }
     std::optional<double> occupancy(double x, double y, double z) const override {
         const auto index = [](double v) { return static_cast<int>(std::floor(v / 0.1)); };
@@ -32,11 +32,11 @@ class ScriptedMap : public MapUnderTest {
     }
 
  private:
-    std::map<Cell, std::string> script_;
+    std::map<CellPlace, std::string> script_;
     std::size_t scan_ = 0;
 };
 
-WatchedWalk walkOf(const std::vector<std::vector<Cell>>& someone) {
+WatchedWalk walkOf(const std::vector<std::vector<CellPlace>>& someone) {
     WatchedWalk walk{"tiny", 0.1, 8, {}, 0};
     for (const auto& cells : someone) walk.scans.push_back({{}, cells});
     return walk;
@@ -108,7 +108,7 @@ TEST(Moving, TheWatchedWalkCrossesTheViewAndEnds) {
             const auto index = [&](std::size_t i) {
                 return static_cast<int>(std::floor(ray.end[i] / 0.1));
             };
-            const Cell cell{index(0), index(1), index(2)};
+            const CellPlace cell{index(0), index(1), index(2)};
             hits += std::binary_search(scan.someone.begin(), scan.someone.end(), cell);
         }
         most = std::max(most, hits);

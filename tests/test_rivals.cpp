@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <random>
 
-#include "grid/BlockGrid.h"
 #include "estimators/kernels/kernel_function.h"
 #include "evaluation/evaluate.h"
+#include "grid/BlockGrid.h"
 #include "input/PcdReader.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"

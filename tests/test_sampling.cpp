@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "grid/BlockGrid.h"
 #include "estimators/paper/free_samples.h"
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 
 using namespace akimap;

@@ -22,7 +22,8 @@ struct Comparison {
 struct ScatteredScan {
     PaperWorkspace s;
     BlockGrid grid;
-    ScatteredScan(const InsertionParameters& p, double resolution, unsigned seed) : grid(resolution) {
+    ScatteredScan(const InsertionParameters& p, double resolution, unsigned seed)
+        : grid(resolution) {
         InsertionStats stats;
         takeSamples(test::randomScan(seed, 250), p, grid, seed, s.taken, s.samples, stats);
         bandwidths(s.samples, p, resolution, s.neighbors, s.H);

@@ -6,20 +6,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "quantile.h"
 #include "report/markdown.h"
 
 namespace akimap::bench {
 namespace {
 
 constexpr std::size_t kLater[] = {1, 5, 10, 20, 50};  // scans after someone has left
-
-/** NaN if there are none. */
-double quantile(std::vector<std::size_t> values, double share) {
-    if (values.empty()) return NAN;
-    std::sort(values.begin(), values.end());
-    const double at = share * static_cast<double>(values.size() - 1) + 0.5;
-    return static_cast<double>(values[static_cast<std::size_t>(at)]);
-}
 
 /** Mean over the scans while someone is there. */
 double meanThen(const std::vector<std::size_t>& counts, const WatchedWalk& walk) {
@@ -37,8 +30,8 @@ std::vector<std::string> row(const std::string& name, const Residue& residue,
         const std::size_t scan = walk.gone + later - 1;
         cells.push_back(scan < residue.cells.size() ? std::to_string(residue.cells[scan]) : "–");
     }
-    cells.push_back(fixed(quantile(residue.waits, 0.5), 0));
-    cells.push_back(fixed(quantile(residue.waits, 0.9), 0));
+    cells.push_back(fixed(app::quantile(residue.waits, 0.5), 0));
+    cells.push_back(fixed(app::quantile(residue.waits, 0.9), 0));
     cells.push_back(std::to_string(residue.never) + " of " +
                     std::to_string(residue.never + residue.waits.size()));
     return cells;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "grid/BlockGrid.h"
 #include "HitCounter.h"
+#include "grid/BlockGrid.h"
 
 #include <map>
 #include <stdexcept>

@@ -2,9 +2,9 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include "grid/BlockGrid.h"
 #include "estimators/ScanEstimator.h"
 #include "estimators/hits.h"
+#include "grid/BlockGrid.h"
 #include "grid/BlockUpdate.h"
 
 namespace akimap::test {

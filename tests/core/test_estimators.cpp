@@ -2,10 +2,10 @@
 // Copyright (c) 2026, the akimap developers
 #include <gtest/gtest.h>
 
-#include "grid/BlockGrid.h"
 #include "HitCounter.h"
 #include "estimators/estimators.h"
 #include "estimators/options.h"
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "same_blocks.h"
 

@@ -6,8 +6,8 @@
 
 #include <memory>
 
-#include "grid/BlockGrid.h"
 #include "estimators/estimators.h"
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "same_blocks.h"
 

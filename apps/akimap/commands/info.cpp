@@ -7,8 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "grid/BlockGrid.h"
 #include "commands/commands.h"
+#include "grid/BlockGrid.h"
 #include "mapping/config.h"
 #include "pictures/MapCells.h"
 

@@ -6,10 +6,8 @@ namespace akimap::app {
 
 OccupancyCells cellsOf(const AkiMap& map) {
     OccupancyCells cells = noCells(map.resolution());
-    const auto& prior = map.insertionOptions;
-    map.grid().forEachCell([&](const CellIndex& c, float a, float b) {
-        const CellState state{a + prior.prior_alpha, b + prior.prior_beta};
-        cells[c] = static_cast<float>(state.occupancy());
+    map.forEachCell([&](const Cell& c) {
+        cells[map.grid().cellAt(c.x, c.y, c.z)] = static_cast<float>(c.state.occupancy());
     });
     return cells;
 }

@@ -2,13 +2,12 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
-#include <akimap/KeyTable.h>
-
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
+
+#include "grid/BlockGrid.h"
 
 namespace akimap::app {
 

@@ -2,13 +2,14 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
 #include <akimap/Ray.h>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "grid/BlockGrid.h"
 
 namespace akimap::app {
 

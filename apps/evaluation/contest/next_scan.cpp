@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "evaluation/contest/beam.h"
+#include "quantile.h"
 
 namespace akimap::app {
 
@@ -58,14 +59,6 @@ class Caster {
     OccupancyCells::Reader map_;
     ReturnCounts::Reader returns_;
 };
-
-/** The value below which a share q of the values lies, one of them; NaN if there are none. */
-double quantile(std::vector<float> values, double q) {
-    if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-    const auto place = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + place, values.end());
-    return static_cast<double>(values[static_cast<std::size_t>(place)]);
-}
 
 }  // namespace
 

@@ -91,8 +91,8 @@ struct PaperParameters {
     ScaleSearch scale_search = ScaleSearch::exact;
     double scale_min_length = 0;  ///< [m] >= 0. Eq. (7) leaves the longest semi-axis at least this
                                   ///< long; 0: one cell
-    double scale_max = 1.0;  ///< [-] > 0. Upper bound of the length scale in Eq. (7)
-    uint64_t seed = 1;       ///< Seed of the free samples' random places
+    double scale_max = 1.0;       ///< [-] > 0. Upper bound of the length scale in Eq. (7)
+    uint64_t seed = 1;            ///< Seed of the free samples' random places
 
     void validate() const;
 };

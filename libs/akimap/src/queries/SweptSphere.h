@@ -23,7 +23,8 @@ class SweptSphere {
     void forEachCell(const std::vector<Eigen::Vector3d>& path, Visitor&& visit) const {
         along(path.front(), path.front(), visit);
         for (std::size_t i = 1; i < path.size(); i++) {
-            const Eigen::Vector3d way = path[i] - path[i - 1];  // in steps, so that boxes stay small
+            const Eigen::Vector3d way =
+                path[i] - path[i - 1];  // in steps, so that boxes stay small
             const double steps = std::ceil(way.norm() / std::max(radius_, 4 * grid_.resolution()));
             for (double k = 0; k < steps; k++)
                 along(path[i - 1] + way * (k / steps), path[i - 1] + way * ((k + 1) / steps),

@@ -18,8 +18,8 @@
 
 // The one decoder of observations, for insertion and for the likelihood: forEachBeam(observation,
 // with_free, visit) calls visit(x, y, z, hit) with the end [m] of each beam in the sensor's frame.
-// Returns that the sensor marks invalid are left out; with_free, they are beams of the observation's
-// maxRange without a hit. The observation must be loaded. Concurrent calls are safe.
+// Returns that the sensor marks invalid are left out; with_free, they are beams of the
+// observation's maxRange without a hit. The observation must be loaded. Concurrent calls are safe.
 
 namespace akimap {
 
