@@ -218,7 +218,7 @@ TEST_P(Presets, ObservationsDecodeToTheDrivesOwnRays) {
     const SensorModel model = sensorModel(GetParam());
     for (std::size_t i = 0; i < drive.scans.size(); i += 5) {
         const SimulatedScan& scan = drive.scans[i];
-        const auto rays = raysOf({scan.observation, scan.robot_pose, nullptr, {}});
+        const auto rays = raysOf({scan.observation, scan.robot_pose, nullptr, {}}, false);
         ASSERT_EQ(rays.size(), scan.rays.size());
         EXPECT_GT(rays.size(), 3000u);
         for (std::size_t j = 0; j < rays.size(); j++) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <ostream>
 
 #include "estimators/estimators.h"
 #include "grid/BlockGrid.h"
@@ -21,6 +22,10 @@ struct Case {
     BeyondMaxRange beyond_max_range;
     double resolution;
 };
+
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.name;
+}
 
 class Locality : public testing::TestWithParam<Case> {
  protected:

@@ -14,7 +14,6 @@ namespace akimap::app {
 
 namespace {
 
-constexpr const char* kPaperOnly = ". For --estimator paper";
 constexpr const char* kMapGroup = "Map (these win over the INI)";
 
 const std::map<std::string, Estimator> kEstimators{{"surface", Estimator::surface},
@@ -41,10 +40,10 @@ void set(MapRequest& request, T Owner::*field, const T& value) {
  * what its key in an INI means: no option sets another one. */
 template <class T, class Owner>
 void addSetting(CLI::App& command, MapRequest& request, const std::string& flag,
-                const std::string& key, T Owner::*field, const std::string& note = "") {
+                const std::string& key, T Owner::*field) {
     const OptionText text = describedAs(key);
     const auto take = [&request, field](const T& value) { set(request, field, value); };
-    command.add_option_function<T>(flag, take, text.comment + note)
+    command.add_option_function<T>(flag, take, text.comment)
         ->check(std::is_unsigned_v<T> ? CLI::Validator(kWholeNumber) : CLI::Validator())
         ->default_str(text.value)
         ->group(kMapGroup);
@@ -53,13 +52,13 @@ void addSetting(CLI::App& command, MapRequest& request, const std::string& flag,
 /** The same for one of several names. */
 template <class Enum, class Owner>
 void addChoice(CLI::App& command, MapRequest& request, const std::string& flag,
-               const std::string& key, const std::map<std::string, Enum>& names, Enum Owner::*field,
-               const std::string& note = "") {
+               const std::string& key, const std::map<std::string, Enum>& names,
+               Enum Owner::*field) {
     const OptionText text = describedAs(key);
     const auto take = [&request, &names, field](const std::string& name) {
         set(request, field, names.at(name));
     };
-    command.add_option_function<std::string>(flag, take, text.comment + note)
+    command.add_option_function<std::string>(flag, take, text.comment)
         ->check(CLI::IsMember(names))
         ->type_name("NAME")
         ->default_str(text.value)
@@ -90,10 +89,10 @@ void addMapOptions(CLI::App& command, MapRequest& request) {
     addChoice(command, request, "--estimator", "estimator", kEstimators,
               &InsertionParameters::estimator);
     addChoice(command, request, "--bandwidth", "bandwidth", kBandwidths,
-              &InsertionParameters::bandwidth, kPaperOnly);
+              &InsertionParameters::bandwidth);
     addSetting(command, request, "--isotropic-length", "isotropic_length",
-               &InsertionParameters::isotropic_length, kPaperOnly);
-    addSetting(command, request, "--seed", "seed", &InsertionParameters::seed, kPaperOnly);
+               &InsertionParameters::isotropic_length);
+    addSetting(command, request, "--seed", "seed", &InsertionParameters::seed);
 }
 
 AkiMap makeMapFor(const MapRequest& request) {

@@ -23,12 +23,12 @@ AkiMap::AkiMap(const AkiMap& o)
 
 AkiMap& AkiMap::operator=(const AkiMap& o) {
     if (this == &o) return *this;
-    auto impl = std::make_unique<AkiMapImpl>(*o.impl_);  // before anything changes
+    BlockGrid grid = o.impl_->grid;  // may run out of memory: before anything changes
     mrpt::maps::CMetricMap::operator=(o);
     insertionOptions = o.insertionOptions;
     likelihoodOptions = o.likelihoodOptions;
     renderingOptions = o.renderingOptions;
-    impl_ = std::move(impl);
+    impl_->setState(std::move(grid), o.impl_->next_scan, o.impl_->stats);
     return *this;
 }
 
@@ -42,7 +42,7 @@ void AkiMap::auxParticleFilterCleanUp() {
 }
 
 void AkiMap::setResolution(double resolution) {
-    impl_ = std::make_unique<AkiMapImpl>(resolution);
+    impl_->setState(BlockGrid(resolution), 0, {});
 }
 
 double AkiMap::resolution() const {

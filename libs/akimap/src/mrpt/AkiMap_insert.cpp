@@ -11,9 +11,12 @@ bool AkiMap::insertRays(const std::vector<Ray>& rays) {
         map.estimator = makeEstimator(insertionOptions.estimator);
         map.estimator_name = insertionOptions.estimator;
     }
+    const uint64_t used = map.stats.points + map.stats.free_beams;
     const bool changed =
         insertScan(*map.estimator, {rays, map.next_scan}, insertionOptions, map.grid, map.stats);
-    map.next_scan++;
+    // Scans with a usable ray are numbered, whatever became of them in these cells: a part of a map
+    // must draw what the whole draws.
+    map.next_scan += map.stats.points + map.stats.free_beams > used;
     if (changed) map.surface.drop();
     return changed;
 }

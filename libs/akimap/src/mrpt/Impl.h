@@ -17,6 +17,11 @@ struct AkiMapImpl {
     /** Takes over the state; what can be made again from it is left out. */
     AkiMapImpl(const AkiMapImpl& o) : grid(o.grid), next_scan(o.next_scan), stats(o.stats) {}
     AkiMapImpl& operator=(const AkiMapImpl&) = delete;
+    /** Replaces the state and keeps the workspace. */
+    void setState(BlockGrid&& cells, uint64_t scan, const InsertionStats& counted) {
+        grid = std::move(cells), next_scan = scan, stats = counted;
+        surface.drop();
+    }
 
     BlockGrid grid;
     uint64_t next_scan = 0;  ///< the number of the next scan: with the seed, the whole random state

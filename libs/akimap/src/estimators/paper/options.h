@@ -25,26 +25,26 @@ namespace akimap {
 template <class Parameters, class Visitor>
 void visitPaperFields(Parameters& o, Visitor&& visit) {
     visit("sampling_distance", o.sampling_distance,
-          "[m] > 0. One free sample in each such stretch of a ray");
+          "[m] > 0. paper: one free sample in each such stretch of a ray");
     visit("search_range_origin", o.search_range_origin,
-          "[m] >= 0. Neighbour search range at the sensor; 0: one cell");
+          "[m] >= 0. paper: neighbour search range at the sensor; 0: one cell");
     visit("search_range_max", o.search_range_max,
-          "[m] > 0. Neighbour search range at max_range; linear in between");
+          "[m] > 0. paper: neighbour search range at max_range; linear in between");
     visit("search_region", o.search_region,
-          "box (the paper, and measured better) | ball (the authors' code)");
+          "paper: box (as printed, and measured better) | ball (the authors' code)");
     visit("covariance_center", o.covariance_center,
-          "sample (divided by M - 2) | mean (by M - 1): what the covariance is about");
+          "paper: sample (divided by M - 2) | mean (by M - 1): what the covariance is about");
     visit("covariance_floor", o.covariance_floor,
-          "[m^2] >= 0. Added to the covariance's diagonal; 0: 0.4 of a cell's face");
-    visit("bandwidth", o.bandwidth, "adaptive (the paper) | covariance (no Eq. 7) | isotropic");
+          "[m^2] >= 0. paper: added to the covariance's diagonal; 0: 0.4 of a cell's face");
+    visit("bandwidth", o.bandwidth, "paper: adaptive (as printed) | covariance (no Eq. 7) | isotropic");
     visit("isotropic_length", o.isotropic_length,
-          "[m] > 0. Support radius of the kernels if bandwidth = isotropic");
+          "[m] > 0. paper: support radius of the kernels if bandwidth = isotropic");
     visit("scale_search", o.scale_search,
-          "exact | descent (the authors' code): minimiser of Eq. 7");
+          "paper: exact | descent (the authors' code): minimiser of Eq. 7");
     visit("scale_min_length", o.scale_min_length,
-          "[m] >= 0. Eq. 7 leaves the longest semi-axis at least this; 0: one cell");
-    visit("scale_max", o.scale_max, "[-] > 0. Upper bound of the length scale of Eq. 7");
-    visit("seed", o.seed, "Seed of the free samples' random places");
+          "[m] >= 0. paper: Eq. 7 leaves the longest semi-axis at least this; 0: one cell");
+    visit("scale_max", o.scale_max, "[-] > 0. paper: upper bound of the length scale of Eq. 7");
+    visit("seed", o.seed, "paper: seed of the free samples' random places");
 }
 
 /** As the estimator uses them at this cell size [m]: what 0 stands for filled in.

@@ -9,11 +9,11 @@ namespace akimap {
 /** Calls visit(name, field, comment) for each option. */
 template <class Parameters, class Visitor>
 void visitSurfaceFields(Parameters& o, Visitor&& visit) {
-    visit("surface_range", o.surface_range, "[m] > 0. Neighbours of a hit are sought no farther");
+    visit("surface_range", o.surface_range, "[m] > 0. surface: neighbours of a hit are sought no farther");
     visit("free_radius", o.free_radius,
-          "[m] > 0. How far free space reaches from a ray; 1.5 to 8 cells");
+          "[m] > 0. surface: how far free space reaches from a ray; 1.5 to 8 cells");
     visit("max_evidence", o.max_evidence,
-          "[-] 0 or >= 1. Bound of alpha + beta, so that old scans fade; 0: none");
+          "[-] 0 or >= 1. surface: bound of alpha + beta, so that old scans fade; 0: none");
 }
 
 /** [cells] How far free space reaches from a ray: wide enough that neighbouring balls leave no
