@@ -71,8 +71,10 @@ corridor() {
     for i in $(seq 16); do set -- "$@" "${AKIMAP_DATA:-}/corridor/corridor_$i.pcd"; done
     [ -e "$1" ] || { echo '–'; return; }
     "$scratch/build/bin/akimap" holdout --quiet --json "$scratch/build/holdout.json" "$@"
-    awk -F'[:,] *' '/"AkiMap"/ { ours = 1 } /}/ { ours = 0 }
-        ours && /"known_(auc|mse|log_loss|calibration_error)"/ { v[++n] = sprintf("%.4f", $2) }
+    awk -F'[:,] *' '/"AkiMap": \{/ { ours = 1 } /"paper": \{/ { ours = set = 0 }
+        ours && /"cells_to_0.2_m"/ { set = 1 }
+        set && /"known"/ { known = 1 } /}/ { known = 0 }
+        known && /"(auc|brier|log_loss|calibration_error)"/ { v[++n] = sprintf("%.4f", $2) }
         END { printf "%s / %s / %s / %s", v[1], v[2], v[3], v[4] }' "$scratch/build/holdout.json"
 }
 

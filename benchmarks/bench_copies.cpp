@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "grid/BlockGrid.h"
 #include "scenes.h"
 #include "timing.h"
 
@@ -24,7 +25,7 @@ int main() {
     mrpt::maps::CMultiMetricMap maps;
     maps.maps.push_back(map);
 
-    const std::size_t bytes = map->grid().blockCount() * sizeof(Block);
+    const std::size_t bytes = map->blockCount() * sizeof(Block);
     const std::vector<char> cells(bytes, 1);
     const double warm = medianSeconds(kRounds, [&, copy = std::vector<char>(bytes)]() mutable {
         std::memcpy(copy.data(), cells.data(), bytes);

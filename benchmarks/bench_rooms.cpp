@@ -5,7 +5,8 @@
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
-#include "mrpt/Scratch.h"
+#include "estimators/paper/PaperEstimator.h"
+#include "estimators/paper/free_samples.h"
 #include "scenes.h"
 
 using namespace akimap;
@@ -17,13 +18,13 @@ struct Prepared {
     InsertionParameters parameters;
     std::vector<Ray> rays;
     BlockGrid grid{0.05};
-    AkiMap::Scratch s;
+    PaperWorkspace s;
     InsertionStats stats;
 
     Prepared() : rays(app::simulatedRays({}).front()) {
         takeSamples(rays, parameters, grid, 0, s.taken, s.samples, stats);
         bandwidths(s.samples, parameters, 0.05, s.neighbors, s.H);
-        scatter(s.samples, s.H, grid, s.scatter);
+        scatter(s, grid);
     }
 };
 Prepared& prepared() {
@@ -50,7 +51,7 @@ void bandwidth(benchmark::State& state) {
         [](Prepared& p) { bandwidths(p.s.samples, p.parameters, 0.05, p.s.neighbors, p.s.H); });
 }
 void update(benchmark::State& state) {
-    run(state, [](Prepared& p) { scatter(p.s.samples, p.s.H, p.grid, p.s.scatter); });
+    run(state, [](Prepared& p) { scatter(p.s, p.grid); });
 }
 void insertion(benchmark::State& state) {
     AkiMap map;

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <random>
 
+#include "grid/BlockGrid.h"
 #include "mapping/RealtimeGate.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
@@ -36,7 +37,7 @@ Times insertIntoAkiMap(const std::vector<bench::PointCloudScan>& scans, unsigned
         for (const auto& s : scans) map.insertObservation(s.observation, s.robot);
     });
     return {time, map.stats(),
-            static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount())};
+            static_cast<double>(map.memoryBytes()) / static_cast<double>(map.cellCount())};
 }
 
 double insertIntoOctoMap(const std::vector<bench::PointCloudScan>& scans) {
@@ -147,9 +148,8 @@ void drive(const bench::LidarModel& model) {
                 1e3 * median(all), static_cast<unsigned long long>(gate.lost()), lidar.rate);
     std::printf("  the last %zu scans  %.2f x what they take in an empty map\n", kLast,
                 late / median(last));
-    std::printf(
-        "  map memory         %.1f bytes a cell with evidence\n",
-        static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount()));
+    std::printf("  map memory         %.1f bytes a cell with evidence\n",
+                static_cast<double>(map.memoryBytes()) / static_cast<double>(map.cellCount()));
 }
 
 }  // namespace

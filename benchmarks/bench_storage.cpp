@@ -52,7 +52,7 @@ void memory(const std::vector<std::vector<Ray>>& rays) {
         AkiMap map(0.05);
         map.insertionOptions.threads = threads;
         insertInto(map);
-        return map.grid().memoryBytes();
+        return map.memoryBytes();
     };
     const double idle = peakOf([] {});
     const double one = peakOf([&] { intoAkiMap(1); }), two = peakOf([&] { intoAkiMap(2); });

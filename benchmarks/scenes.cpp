@@ -76,7 +76,9 @@ Scene simulatedRings(uint64_t seed, double resolution) {
     seed += kSeedsOfOthers;
     const app::Scene room = app::makeScene(app::SceneKind::unstructured, seed);
     const app::Drive drive = app::makeDrive(room, false, seed);
-    const app::World world{room, drive.trajectory, false, kNoise, kRange};
+    app::RangeErrors errors;
+    errors.constant = kNoise;
+    const app::World world{room, drive.trajectory, false, errors, kRange};
     app::Random random(seed, 4);
     const LidarModel lidar{"", 16, 900, 15};
     const double highest = kDegree * lidar.height;
@@ -119,7 +121,7 @@ Scene pcdFolder(const std::string& name, const std::string& folder) {
 Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
     Scene s{name, {}, {}, {}};
     app::ScanFeed feed(inputs);
-    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan)); },
+    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan, false)); },
                      false);
     return s;
 }
@@ -128,7 +130,9 @@ LidarDrive simulatedLidar(std::size_t scans, const LidarModel& model) {
     constexpr double kRange = 60, kNoise = 0.01;
     const app::Scene scene = app::makeScene(app::SceneKind::structured, 1);
     const app::Trajectory trajectory = app::makeDrive(scene, false, 1).trajectory;
-    const app::World world{scene, trajectory, false, kNoise, kRange};
+    app::RangeErrors errors;
+    errors.constant = kNoise;
+    const app::World world{scene, trajectory, false, errors, kRange};
     app::Random random(1, 4);
     LidarDrive drive{model.name, {}, 10};
     const double start = trajectory.keyframes().front().time,

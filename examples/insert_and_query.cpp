@@ -47,8 +47,7 @@ int main() {
     ask(map, "behind it", 5.0, 0, 1.2);
 
     std::size_t occupied = 0, free = 0;
-    map.forEachCell([&](const mrpt::math::TPoint3D&, const akimap::CellState& cell) {
-        (cell.occupancy() > 0.5 ? occupied : free)++;
-    });
+    map.forEachCell(
+        [&](const akimap::Cell& cell) { (cell.state.occupancy() > 0.5 ? occupied : free)++; });
     std::cout << occupied << " cells occupied, " << free << " free\n";
 }

@@ -31,6 +31,8 @@ class Background {
     Background& operator=(const Background&) = delete;
 
     void interrupt() const { kill(process_, SIGINT); }
+    void terminate() const { kill(process_, SIGTERM); }
+    void hangUp() const { kill(process_, SIGHUP); }
     /** How far into the file it has read; -1 if the file is not open. */
     [[nodiscard]] long readingPosition(const std::string& file) const {
         const std::string proc = "/proc/" + std::to_string(process_);

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "grid/BlockGrid.h"
+
 namespace akimap::test {
 
 inline std::string fingerprint(const char* data, std::size_t size) {

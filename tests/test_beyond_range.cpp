@@ -13,6 +13,7 @@
 #include <cstring>
 #include <random>
 
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "run_program.h"
 #include "same_map.h"
@@ -97,7 +98,8 @@ TEST(BeyondMaxRange, EmptyBeamsCarveFreeSpaceUpToMaxRangeAndNothingElse) {
                                   ? std::sqrt(2) * map.insertionOptions.search_range_max
                                   : 0;
         double farthest = 0;
-        map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+        map.forEachCell([&](const akimap::Cell& cell_at) {
+            const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
             farthest = std::max(farthest, fromOrigin(p));
         });
         EXPECT_LE(farthest, kRange + kernel);

@@ -197,6 +197,24 @@ TEST_F(Build, TheCommandLineWinsOverTheIni) {
     EXPECT_EQ(AkiMap::loadFromFile(file("m.akimap"))->resolution(), 0.2);
 }
 
+TEST_F(Build, TheCommandLineAndTheIniMeanTheSame) {
+    const std::string pcd = write("p.pcd", asciiPcd("2 0 1\n2 .1 1\n2 .2 1\n", 3));
+    const auto ini = [&](const std::string& options) {
+        return " -c " + write("c.ini",
+                              "[MappingApplication]\nakimap_count = 1\n"
+                              "[MappingApplication_akimap_00_insertOpts]\n" +
+                                  options);
+    };
+    const std::string isotropic = buildMap(pcd + " --bandwidth isotropic");
+    EXPECT_EQ(isotropic, buildMap(pcd + ini("bandwidth = isotropic\n")));
+    EXPECT_EQ(AkiMap::loadFromFile(file("m.akimap"))->insertionOptions.estimator,
+              akimap::Estimator::surface);
+    const std::string paper = buildMap(pcd + " --estimator paper --bandwidth isotropic");
+    EXPECT_NE(isotropic, paper);
+    EXPECT_EQ(paper, buildMap(pcd + ini("estimator = paper\nbandwidth = isotropic\n")));
+    EXPECT_EQ(paper, buildMap(pcd + ini("estimator = paper\n") + " --bandwidth isotropic"));
+}
+
 TEST_F(Build, JsonAndTableAgreeWithTheMap) {
     const auto run = build(plain("l.rawlog", walls()) + " --trajectory " + trajectory());
     ASSERT_EQ(run.exit, 0) << run.err;

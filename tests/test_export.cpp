@@ -75,7 +75,9 @@ TEST_F(Export, CsvHasEveryCellInNineDigits) {
     std::getline(in, line);
     EXPECT_EQ(line, "x,y,z,occupancy,alpha,beta");
     std::size_t rows = 0;
-    map.forEachCell([&](const TPoint3D& p, const CellState& cell) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& cell = cell_at.state;
         ASSERT_TRUE(std::getline(in, line));
         rows++;
         std::istringstream fields(line);
@@ -152,7 +154,9 @@ TEST_F(Export, BtIsReadByOctoMapCellByCell) {
         octomap::OcTree tree(exported("m.bt", options));
         EXPECT_EQ(tree.getResolution(), 0.1);
         EXPECT_EQ(cellsOf(tree), map.cellCount());
-        map.forEachCell([&](const TPoint3D& p, const CellState& cell) {
+        map.forEachCell([&](const akimap::Cell& cell_at) {
+            const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+            const akimap::CellState& cell = cell_at.state;
             const auto* node = tree.search(p.x, p.y, p.z);
             ASSERT_TRUE(node);
             EXPECT_EQ(tree.isNodeOccupied(node), cell.occupancy() > threshold);
@@ -167,7 +171,9 @@ TEST_F(Export, OtIsReadByOctoMapCellByCell) {
     ASSERT_TRUE(tree);
     EXPECT_EQ(cellsOf(*tree), map.cellCount());
     double extreme = 0;
-    map.forEachCell([&](const TPoint3D& p, const CellState& cell) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& cell = cell_at.state;
         const auto* node = tree->search(p.x, p.y, p.z);
         ASSERT_TRUE(node);
         EXPECT_NEAR(node->getOccupancy(), std::clamp(cell.occupancy(), 1e-4, 1 - 1e-4), 1e-6);
@@ -182,7 +188,9 @@ TEST_F(Export, OctoMapFilesGoIntoMrptsOctoMap) {
     mrpt::maps::COctoMap from_bt(0.1), from_ot(0.1);
     ASSERT_TRUE(from_bt.getOctomap<octomap::OcTree>().readBinary(exported("m.bt")));
     from_ot.getOctomap<octomap::OcTree>().swapContent(dynamic_cast<octomap::OcTree&>(*full));
-    map.forEachCell([&](const TPoint3D& p, const CellState& cell) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& cell = cell_at.state;
         const auto q = p.cast<float>();
         double occupancy = -1;
         ASSERT_TRUE(from_bt.getPointOccupancy(q.x, q.y, q.z, occupancy));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "run_program.h"
 #include "same_map.h"

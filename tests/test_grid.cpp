@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <akimap/BlockGrid.h>
 #include <gtest/gtest.h>
+#include "grid/BlockGrid.h"
 
 #include <limits>
 #include <random>

@@ -17,6 +17,7 @@
 #include "input/PcdReader.h"
 #include "input/RobotPath.h"
 #include "input/lzf.h"
+#include "mapping/build_report.h"
 #include "run_program.h"
 
 namespace {
@@ -261,6 +262,28 @@ TEST_F(PointClouds, WhatIsMalformedIsRefusedWithItsLineOrByte) {
     EXPECT_TRUE(holds(refused(pcdHeader("x y z", "4 4 4", "F F I", "1 1 1", 1, "ascii")), "'z'"));
     EXPECT_TRUE(
         holds(refusal([&] { (void)readPcd(folder.file("none.pcd")); }), "none.pcd: no such file"));
+}
+
+TEST_F(PointClouds, WidthTimesHeightDoesNotOverflow) {
+    // 2^40 x 2^20 points of 16 bytes take 0 bytes, modulo 2^64.
+    for (const char* data : {"ascii", "binary", "binary_compressed"}) {
+        const std::string why = refusal([&] {
+            (void)readPcd(write("w.pcd",
+                                "FIELDS x y z i\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 1099511627776\n"
+                                "HEIGHT 1048576\nDATA " +
+                                    std::string(data) + "\n"));
+        });
+        EXPECT_TRUE(holds(why, "w.pcd: line 4: WIDTH times HEIGHT")) << data << ": " << why;
+    }
+}
+
+TEST_F(PointClouds, AHeaderThatClaimsMuchTakesNoMemory) {
+    // Points of 120 kB, of which there are none: a buffer for 16384 of them would be 2 GB.
+    const std::string text =
+        "FIELDS x y z i\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 15000\nPOINTS 0\nDATA binary\n";
+    const auto before = peakMemoryBytes();
+    EXPECT_TRUE(readPcd(write("h.pcd", text)).empty());
+    EXPECT_LT(peakMemoryBytes() - before, 10000000u);
 }
 
 // MRPT's serialized objects ---------------------------------------------------------------

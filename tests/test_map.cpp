@@ -15,6 +15,7 @@
 #include <map>
 #include <thread>
 
+#include "grid/BlockGrid.h"
 #include "mrpt/option_fields.h"
 #include "random_scans.h"
 #include "run_program.h"
@@ -83,7 +84,9 @@ TEST(AkiMap, VisitsEachCellThatAQueryKnows) {
     const AkiMap map = smallMap();
     std::size_t n = 0, occupied = 0;
     const auto box = map.boundingBox();
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& s = cell_at.state;
         n++, occupied += s.occupancy() > 0.5;
         ASSERT_EQ(map.cell(p.x, p.y, p.z).value().alpha, s.alpha);
         EXPECT_TRUE(box.containsPoint(p.cast<float>()));
@@ -133,6 +136,33 @@ TEST(AkiMap, ScansThatHoldNothingUsableChangeNothing) {
     EXPECT_EQ(map.stats().dropped_nonfinite, 1u);
 }
 
+TEST(AkiMap, ScansOfUsableRaysAreNumbered) {
+    // The paper's draws must not depend on what else the map holds: a scan that changes nothing
+    // has a number too, unless nothing of it could be used anywhere.
+    const auto after = [](const std::vector<std::vector<Ray>>& scans) {
+        AkiMap map(0.1);
+        map.insertionOptions.estimator = Estimator::paper;
+        for (const auto& rays : scans) map.insertRays(rays);
+        return test::cellsFingerprint(map);
+    };
+    const auto scan = test::randomScan(1, 300);
+    const std::vector<Ray> too_far{Ray{{0, 0, 0}, {100, 0, 0}}};
+    EXPECT_EQ(after({scan}), after({too_far, {}, scan}));
+
+    AkiMap misses(0.1);  // kernels so small that they reach no cell's centre
+    misses.insertionOptions.estimator = Estimator::paper;
+    misses.insertionOptions.bandwidth = Bandwidth::isotropic;
+    misses.insertionOptions.isotropic_length = 1e-3;
+    EXPECT_FALSE(misses.insertRays({Ray{{0.01, 0.01, 0.01}, {1.01, 0.01, 0.01}}}));
+    AkiMap hits(0.1);
+    for (AkiMap* m : {&misses, &hits}) {
+        m->insertionOptions = {};
+        m->insertionOptions.estimator = Estimator::paper;
+        m->insertRays(scan);
+    }
+    EXPECT_NE(test::cellsFingerprint(misses), test::cellsFingerprint(hits));
+}
+
 TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     AkiMap map = smallMap();
     const auto before = test::cellsFingerprint(map);
@@ -152,7 +182,6 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("min_range", [](auto& o) { o.min_range = -1; });
     expectRefusal("max_range", [](auto& o) { o.min_range = 9; });
     expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 0; });
-    expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 1e-12; });
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = INFINITY; });
     expectRefusal("surface_range", [](auto& o) { o.surface_range = 1e6; });
     expectRefusal("free_radius", [](auto& o) { o.free_radius = -1; });
@@ -161,6 +190,7 @@ TEST(AkiMap, BadOptionsThrowNamingTheParameterAndChangeNothing) {
     expectRefusal("max_evidence", [](auto& o) { o.max_evidence = 0.5; });
     expectRefusal("estimator", [](auto& o) { o.estimator = static_cast<Estimator>(9); });
     map.insertionOptions.estimator = Estimator::paper;
+    expectRefusal("sampling_distance", [](auto& o) { o.sampling_distance = 1e-12; });
     expectRefusal("search_range_max", [](auto& o) { o.search_range_max = 1e6; });
     expectRefusal("covariance_floor", [](auto& o) { o.covariance_floor = -1; });
     expectRefusal("isotropic_length", [](auto& o) { o.isotropic_length = 1e9; });
@@ -335,7 +365,8 @@ TEST(AkiMap, EveryCellAnswersUpToTheEdgeOfTheGrid) {
     AkiMap map(0.05);
     const double edge = (BlockGrid::kMaxCell - 1) * 0.05;
     ASSERT_TRUE(map.insertRays({Ray{{edge - 3, -edge, 0}, {edge, -edge, 0}}}));
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
         EXPECT_TRUE(map.cell(p.x, p.y, p.z));
     });
 }
@@ -375,7 +406,8 @@ TEST(AkiMap, ConcurrentReadsAgree) {
     std::vector<std::thread> threads;
     for (std::size_t t = 0; t < counts.size(); t++)
         threads.emplace_back([&, t] {
-            map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState&) {
+            map.forEachCell([&](const akimap::Cell& cell_at) {
+                const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
                 counts[t] += map.cell(p.x, p.y, p.z).has_value();
             });
         });
@@ -387,9 +419,9 @@ TEST(AkiMap, MemoryIsBlocksIndexAndSlack) {
     AkiMap map(0.05);
     for (unsigned seed = 1; seed <= 3; seed++) map.insertRays(test::randomScan(seed, 3000));
     const double per_cell =
-        static_cast<double>(map.grid().memoryBytes()) / static_cast<double>(map.cellCount());
+        static_cast<double>(map.memoryBytes()) / static_cast<double>(map.cellCount());
     EXPECT_LT(per_cell, 32);
-    EXPECT_GE(map.grid().memoryBytes(), map.grid().blockCount() * sizeof(Block));
+    EXPECT_GE(map.memoryBytes(), map.blockCount() * sizeof(Block));
 }
 
 TEST(AkiMap, ClearForgetsEverythingButTheOptions) {

@@ -32,7 +32,7 @@ Memory memoryOfDrive(app::SceneKind kind, Estimator estimator) {
     map.insertionOptions.threads = 1;
     map.insertionOptions.estimator = estimator;
     for (const auto& scan : app::simulatedRays(drive)) map.insertRays(scan);
-    Memory m{static_cast<double>(map.grid().memoryBytes()), allocated(), map.cellCount()};
+    Memory m{static_cast<double>(map.memoryBytes()), allocated(), map.cellCount()};
     map.clear();  // keeps the buffers between scans, which are no part of the map
     m.given -= allocated();
     return m;
@@ -70,5 +70,5 @@ TEST(Memory, ALoadedMapSaysWhatItTakes) {
     const double before = allocated();
     const auto loaded = AkiMap::loadFromFile(file);
     const double given = allocated() - before;
-    EXPECT_NEAR(static_cast<double>(loaded->grid().memoryBytes()), given, 0.03 * given);
+    EXPECT_NEAR(static_cast<double>(loaded->memoryBytes()), given, 0.03 * given);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/BlockGrid.h"
 #include "output/export_map.h"
 #include "pictures/faces.h"
 #include "pictures/voxel_view.h"

@@ -41,7 +41,9 @@ class Queries : public ::testing::Test {
 
 TEST_F(Queries, AKnownCellIsToldAsTheMapKnowsIt) {
     int asked = 0, seen = 0;
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const akimap::CellState& cell) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& cell = cell_at.state;
         if (seen++ % 1000) return;
         asked++;
         std::ostringstream point;

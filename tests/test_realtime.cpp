@@ -6,6 +6,7 @@
 #include "build_fixture.h"
 #include "mapping/RealtimeGate.h"
 #include "mapping/build_report.h"
+#include "quantile.h"
 
 namespace {
 
@@ -63,9 +64,9 @@ TEST(Quantile, NearestRank) {
     for (int i = 200; i > 0; i--) values.push_back(i);
     EXPECT_EQ(quantile(values, 0.5), 100);
     EXPECT_EQ(quantile(values, 0.99), 198);
-    EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
-    EXPECT_EQ(quantile({3, 1, 2}, 0.99), 3);
-    EXPECT_EQ(quantile({7}, 0.5), 7);
+    EXPECT_EQ(quantile(std::vector<double>{3, 1, 2}, 0.5), 2);
+    EXPECT_EQ(quantile(std::vector<double>{3, 1, 2}, 0.99), 3);
+    EXPECT_EQ(quantile(std::vector<double>{7}, 0.5), 7);
 }
 
 /** The walls, with the given seconds between their stamps, seen from their right poses. */

@@ -11,6 +11,7 @@
 
 #include "estimators/kernels/kernel_function.h"
 #include "evaluation/evaluate.h"
+#include "grid/BlockGrid.h"
 #include "input/PcdReader.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"

@@ -6,7 +6,8 @@
 #include <limits>
 #include <set>
 
-#include "estimators/hits.h"
+#include "estimators/paper/free_samples.h"
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 
 using namespace akimap;

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/task_arena.h>
 
-#include "mrpt/Scratch.h"
+#include "estimators/paper/PaperEstimator.h"
+#include "estimators/paper/free_samples.h"
 #include "random_scans.h"
 #include "reference.h"
 
@@ -18,14 +19,15 @@ struct Comparison {
 };
 
 /** One random scan through rooms 2 to 4. */
-struct Scan {
-    AkiMap::Scratch s;
+struct ScatteredScan {
+    PaperWorkspace s;
     BlockGrid grid;
-    Scan(const InsertionParameters& p, double resolution, unsigned seed) : grid(resolution) {
+    ScatteredScan(const InsertionParameters& p, double resolution, unsigned seed)
+        : grid(resolution) {
         InsertionStats stats;
         takeSamples(test::randomScan(seed, 250), p, grid, seed, s.taken, s.samples, stats);
         bandwidths(s.samples, p, resolution, s.neighbors, s.H);
-        EXPECT_TRUE(scatter(s.samples, s.H, grid, s.scatter));
+        EXPECT_TRUE(scatter(s, grid));
     }
     [[nodiscard]] std::vector<reference::Bandwidth> ownBandwidths() const {
         std::vector<reference::Bandwidth> own;
@@ -39,7 +41,7 @@ struct Scan {
 
 /** Cell by cell, against kernels k of these bandwidths. */
 template <class KernelFunction>
-Comparison compare(const Scan& scan, const std::vector<reference::Bandwidth>& bandwidths,
+Comparison compare(const ScatteredScan& scan, const std::vector<reference::Bandwidth>& bandwidths,
                    KernelFunction&& k) {
     Comparison c;
     reference::Cells expected =
@@ -82,7 +84,7 @@ TEST_P(FastPath, AgreesWithTheReference) {
         return kernelOfSquare(r * r, std::max(0.0, 1 - r * r));
     };
     for (unsigned seed = 1; seed <= 3; seed++) {
-        const Scan scan(p, resolution, seed);
+        const ScatteredScan scan(p, resolution, seed);
         const Comparison whole =
             compare(scan, reference::bandwidths(scan.s.samples, p, resolution), kernelExact);
         EXPECT_GT(whole.compared, 1500u);

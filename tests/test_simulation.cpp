@@ -20,6 +20,7 @@
 #include <functional>
 #include <sstream>
 
+#include "quantile.h"
 #include "run_program.h"
 #include "simulation/simulate.h"
 #include "simulation/truth.h"
@@ -100,7 +101,8 @@ INSTANTIATE_TEST_SUITE_P(All, Scenes,
                          testing::Values(std::pair{SceneKind::structured, 1},
                                          std::pair{SceneKind::unstructured, 1},
                                          std::pair{SceneKind::unstructured, 2},
-                                         std::pair{SceneKind::unstructured, 3}));
+                                         std::pair{SceneKind::unstructured, 3},
+                                         std::pair{SceneKind::furnished, 1}));
 
 /** The observation's points in the sensor's frame, as MRPT decodes them, with their times. */
 struct Decoded {
@@ -214,7 +216,7 @@ bool isOccupied(const octomap::OcTree& truth, const TPoint3D& p) {
 TEST_P(Sensors, truthAgreesWithTheSurfacesAndTheNoiselessRays) {
     for (const SceneKind scene : {SceneKind::structured, SceneKind::unstructured}) {
         auto options = drive(scene, GetParam(), 2);
-        options.range_noise = 0;
+        options.errors = RangeErrors();
         const SimulatedDrive simulated = simulate(options);
         constexpr double kCell = 0.1;
         const auto truth = simulated.truth(kCell);
@@ -278,7 +280,8 @@ TEST(Simulation, refusesWhatItCannotDo) {
     options.moving = true;
     EXPECT_THROW(simulate(options), std::runtime_error);
     options = {};
-    options.range_noise = -1;
+    options.errors = RangeErrors();
+    options.errors->constant = -1;
     EXPECT_THROW(simulate(options), std::runtime_error);
     options = {};
     options.max_range = 0;
@@ -327,12 +330,6 @@ struct Placed : CObservationVelodyneScan::PointCloudStorageWrapper {
     PoseAt pose_at;
     std::vector<double> distances;
 };
-
-double quantile(std::vector<double> values, double share) {
-    const auto at = values.begin() + static_cast<long>(share * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
 
 TEST(Simulate, packetTimesOfAMovingLidarMatchTheTrajectory) {
     const TemporaryFolder folder;
@@ -392,7 +389,8 @@ TEST(Simulate, filesReadBackAndDependOnTheSeedOnly) {
             const auto obs = log.getAsObservation(i);
             EXPECT_FALSE(obs->sensorLabel.empty());
             const auto& keyframe = *(map.begin() + static_cast<std::ptrdiff_t>(i));
-            const CPose3D mean = keyframe.pose->getMeanVal(), at = interpolate(path, obs->timestamp);
+            const CPose3D mean = keyframe.pose->getMeanVal(),
+                          at = interpolate(path, obs->timestamp);
             EXPECT_LT(mean.distanceTo(at), 1e-3);
             EXPECT_LT((mean - at).asTPose().norm(), 1e-3);
             EXPECT_EQ(keyframe.sf->getObservationByIndex(0)->timestamp, obs->timestamp);

@@ -7,6 +7,7 @@
 #include <mrpt/system/filesystem.h>
 
 #include <chrono>
+#include <set>
 #include <thread>
 
 #include "background.h"
@@ -148,6 +149,13 @@ TEST_F(SlamCommands, ErrorsAreOneLine) {
                   {"bad.rawlog: object 1"});
 }
 
+std::set<std::string> filesIn(const std::string& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
+    return names;
+}
+
 /** Whether a file whose name ends so is, or within a minute comes to be, below the folder. */
 bool appears(const std::string& folder, const std::string& ending) {
     namespace fs = std::filesystem;
@@ -190,6 +198,50 @@ TEST_F(SlamCommands, AnInterruptEndsTheLogThereAndTheResultsAreWritten) {
         const auto poses = std::count(trajectory.begin(), trajectory.end(), '\n') - 1;
         EXPECT_LT(poses, c.poses) << c.arguments;
     }
+}
+
+TEST_F(SlamCommands, WhatThreadsOfMrptsThrowLeavesNothingBehind) {
+    // A particle filter that pf-localization lacks: it finds out in a thread.
+    const std::string lacking =
+        ini("pf-localization/localization_demo.ini",
+            {{"PF_algorithm", "PF_algorithm = 2"},
+             {"occupancyGrid_count", "occupancyGrid_count = 0\nakimap_count = 1"},
+             {"init_PDF_mode", "init_PDF_mode = 1"},
+             {"map_file", "map_file = " + share + "datasets/localization_demo.simplemap.gz"},
+             {"3DSceneFrequency", "3DSceneFrequency = -1"}});
+    const std::string arguments =
+        "localize " + lacking + " " + share + "datasets/localization_demo.rawlog";
+    expectRefused(arguments, {"pfOptimalProposal"});
+    std::filesystem::create_directory(file("out"));
+    writeText(file("out/mine.txt"), "precious");
+    EXPECT_EQ(runProgram(arguments + " -o " + file("out")).exit, 1);
+    EXPECT_EQ(filesIn(file("out")), std::set<std::string>{"mine.txt"});
+}
+
+TEST_F(SlamCommands, ASecondSignalEndsItAtOnceAndLeavesNothingBehind) {
+    const std::string shipped = std::string(AKIMAP_SOURCE_DIR) + "/share/akimap/config_files/";
+    std::filesystem::create_directory(file("out"));
+    writeText(file("out/mine.txt"), "precious");
+    Background program("slam " + shipped + "rbpf-slam.ini " + quoted_log + " -o " + file("out"),
+                       file("said"));
+    ASSERT_TRUE(appears(file("out"), "log_estimated_path.txt"));
+    program.interrupt();
+    program.terminate();  // two of a kind are one signal while none is handled
+    const int exit = program.wait().exit;
+    EXPECT_TRUE(exit == 128 + SIGINT || exit == 128 + SIGTERM) << exit;
+    EXPECT_EQ(filesIn(file("out")), std::set<std::string>{"mine.txt"});
+}
+
+TEST_F(SlamCommands, AClosedTerminalEndsTheLogLikeAnInterrupt) {
+    const std::string shipped = std::string(AKIMAP_SOURCE_DIR) + "/share/akimap/config_files/";
+    Background program("slam " + shipped + "rbpf-slam.ini " + quoted_log + " -o " + file("out"),
+                       file("said"));
+    ASSERT_TRUE(appears(file("out"), "log_estimated_path.txt"));
+    program.hangUp();
+    EXPECT_EQ(program.wait().exit, 0);
+    const auto files = filesIn(file("out"));
+    EXPECT_EQ(files.count("map.akimap"), 1u);
+    for (const std::string& name : files) EXPECT_NE(name[0], '.') << name;
 }
 
 TEST_F(SlamCommands, HelpTellsHowTheMethodIsChosen) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/BlockGrid.h"
 #include "random_scans.h"
 #include "same_map.h"
 
@@ -90,7 +91,9 @@ TEST(Surface, TheTailsOfKernelsAreNoWalls) {
         for (double z = -0.5; z <= 0.5; z += 0.1) rays.push_back({{0, 0, 0}, {2.02, y, z}});
     const AkiMap map = mapOf({rays});
     double farthest = 0;
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& s = cell_at.state;
         if (s.occupancy() > 0.5) farthest = std::max({farthest, std::abs(p.y), std::abs(p.z)});
     });
     EXPECT_GT(farthest, 0.5);
@@ -113,7 +116,9 @@ TEST(Surface, MirroredScansGiveMirroredMaps) {
     const AkiMap map = mapOf({scan}), mirror = mapOf({mirrored});
     EXPECT_EQ(map.cellCount(), mirror.cellCount());
     std::size_t cells = 0, same = 0;
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
+    map.forEachCell([&](const akimap::Cell& cell_at) {
+        const mrpt::math::TPoint3D p(cell_at.x, cell_at.y, cell_at.z);
+        const akimap::CellState& s = cell_at.state;
         const auto other = mirror.cell(p.x, -p.y, p.z);
         cells++;
         same += other && std::abs(other->alpha - s.alpha) < 1e-3 &&

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 // Bounded work: operations counted, not timed, on scans made to be awkward.
+#include <akimap/AkiMap.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <ctime>
 
-#include "mrpt/Scratch.h"
+#include "estimators/paper/PaperEstimator.h"
+#include "estimators/paper/free_samples.h"
 #include "random_scans.h"
 #include "sanitized.h"
 
@@ -29,21 +31,21 @@ class Insertion {
         const uint64_t before = tested();
         takeSamples(rays, p_, grid_, scans_++, s_.taken, s_.samples, stats);
         bandwidths(s_.samples, p_, grid_.resolution(), s_.neighbors, s_.H);
-        scatter(s_.samples, s_.H, grid_, s_.scatter);
+        scatter(s_, grid_);
         const auto n = static_cast<double>(s_.samples.size());
         return {static_cast<double>(tested() - before) / n,
-                static_cast<double>(s_.scatter.touches.size()) / n, s_.samples.size()};
+                static_cast<double>(s_.kernels.overlaps.size()) / n, s_.samples.size()};
     }
 
  private:
     [[nodiscard]] uint64_t tested() const {
         uint64_t sum = 0;
-        for (const SelectorScratch& t : s_.neighbors.per_thread) sum += t.tested;
+        for (const SelectorWorkspace& t : s_.neighbors.per_thread) sum += t.tested;
         return sum;
     }
     InsertionParameters p_;
     BlockGrid grid_{0.05};
-    AkiMap::Scratch s_;
+    PaperWorkspace s_;
     uint64_t scans_ = 0;
 };
 

@@ -2,15 +2,20 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <array>
 #include <csignal>
+#include <functional>
+#include <thread>
 
 namespace akimap::app {
 
-/** While one lives, the first SIGINT (^C) or SIGTERM only asks the program to finish; the second
- * ends it as usual. At most one at a time. */
+/** While one lives, the first SIGINT (^C), SIGTERM or SIGHUP (its terminal closes) only asks the
+ * program to finish; the second ends it as usual. At most one at a time. */
 class StopSignal {
  public:
-    StopSignal();
+    /** \param before_end called, in a thread of its own, before the second signal ends the program:
+     * there destructors don't run */
+    explicit StopSignal(std::function<void()> before_end = {});
     ~StopSignal();
     StopSignal(const StopSignal&) = delete;
     StopSignal& operator=(const StopSignal&) = delete;
@@ -19,8 +24,8 @@ class StopSignal {
     [[nodiscard]] static bool requested();
 
  private:
-    struct sigaction old_interrupt_ {
-    }, old_terminate_{};
+    std::thread ending_;  // waits for the second signal
+    std::array<struct sigaction, 3> old_actions_{};
 };
 
 }  // namespace akimap::app

@@ -39,6 +39,7 @@ void row(const std::string& name, std::size_t value, const std::string& place) {
 }  // namespace
 
 Results::Results(const std::string& folder) : folder_(folder) {
+    const std::lock_guard lock(mutex_);
     std::error_code error;
     is_new_ = fs::create_directories(folder, error);
     scratch_ = (fs::path(folder) / ".akimap-XXXXXX").string();
@@ -47,9 +48,16 @@ Results::Results(const std::string& folder) : folder_(folder) {
 }
 
 Results::~Results() {
+    discard();
+}
+
+void Results::discard() const {
+    const std::lock_guard lock(mutex_);
     std::error_code ignored;
-    fs::remove_all(scratch_, ignored);
-    if (is_new_) fs::remove(folder_, ignored);  // if nothing was published
+    // More than once: threads of MRPT's may be writing into it.
+    for (int i = 0; i < 100 && fs::exists(scratch_, ignored); i++)
+        fs::remove_all(scratch_, ignored);
+    if (is_new_) fs::remove(folder_, ignored);
 }
 
 void Results::nameTheMap(const std::string& map_prefix) const {

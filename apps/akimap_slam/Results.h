@@ -5,21 +5,25 @@
 #include <mrpt/core/Clock.h>
 #include <mrpt/math/TPose3D.h>
 
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "StopSignal.h"
 
 namespace akimap::app {
 
 using TimedPoses = std::vector<std::pair<mrpt::Clock::time_point, mrpt::math::TPose3D>>;
 
 /** The files that one of MRPT's applications writes. They go to a scratch folder within the output
- * folder first: MRPT deletes all that is in the folder that it is given. */
+ * folder first: MRPT deletes all that is in the folder that it is given. While it lives, the first
+ * stop signal only ends the log (see LogFeed). */
 class Results {
  public:
     /** Makes the folders. \exception std::runtime_error naming the folder */
     explicit Results(const std::string& folder);
-    ~Results();  ///< removes the scratch folder and what is still in it
+    ~Results();  ///< discards
     Results(const Results&) = delete;
     Results& operator=(const Results&) = delete;
 
@@ -31,12 +35,18 @@ class Results {
      * \exception std::runtime_error naming the file */
     void publish(const std::string& map_prefix, const TimedPoses& poses);
 
+    /** Removes the scratch folder with what is still in it, and the output folder if it was made
+     * and nothing is in it. From any thread, where the program ends without destructors. */
+    void discard() const;
+
  private:
     void nameTheMap(const std::string& map_prefix) const;
     std::size_t moveFiles() const;
 
     std::string folder_, scratch_;
     bool is_new_ = false;  // the folder
+    mutable std::mutex mutex_;
+    StopSignal stop_{[this] { discard(); }};
 };
 
 }  // namespace akimap::app

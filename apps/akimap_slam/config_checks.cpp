@@ -6,11 +6,8 @@
 #include <mrpt/system/string_utils.h>
 
 #include <cstdlib>
-#include <iterator>
 #include <map>
 
-#include "errors.h"
-#include "input/files.h"
 #include "mapping/config.h"
 #include "support/ini.h"
 
@@ -55,26 +52,9 @@ std::vector<std::string> keysOf(const Ini& ini, const std::string& section) {
 
 }  // namespace
 
-Ini readIni(const std::string& file) {
-    requireReadable(file);
-    std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    Ini ini;
-    try {
-        ini.setContent(text);
-    } catch (const std::exception& e) {
-        throw std::runtime_error(file + ": " + reasonOf(e.what()));
-    }
-    return ini;
-}
-
 void requireSection(const Ini& ini, const std::string& file, const std::string& section) {
     if (!ini.sectionExists(section))
         throw std::runtime_error(file + ": no section [" + section + "]");
-}
-
-std::string iniValue(const Ini& ini, const std::string& section, const std::string& key) {
-    return withoutComment(ini.read_string(section, key, ""));
 }
 
 bool checkMaps(const Ini& ini, const std::string& file, const std::string& section) {

@@ -2,23 +2,14 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <mrpt/config/CConfigFileMemory.h>
-
 #include <string>
+
+#include "input/ini.h"
 
 namespace akimap::app {
 
-using Ini = mrpt::config::CConfigFileMemory;
-
-/** \exception std::runtime_error naming the file */
-[[nodiscard]] Ini readIni(const std::string& file);
-
 /** \exception std::runtime_error naming the file and the section */
 void requireSection(const Ini& ini, const std::string& file, const std::string& section);
-
-/** A value without the comment behind it; empty if there is none. */
-[[nodiscard]] std::string iniValue(const Ini& ini, const std::string& section,
-                                   const std::string& key);
 
 /** Refuses what MRPT 2.5 ignores: a `<name>_count` > 0 of a map that it does not know, whatever
  * the case of its letters. An AkiMap's own sections are checked too; \return whether there is one.

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "Results.h"
 #include "input/files.h"
 #include "run_app.h"
 #include "slam_commands.h"
@@ -70,7 +69,7 @@ void localize(const AppRequest& request) {
     app.fill_out_estimated_path = true;
     app.params = withRegisteredMaps(ini, kMapSection);
     runApp(
-        request, [&] { app.run(); }, feed);
+        request, [&] { app.run(); }, feed, results);
     results.publish("map_", {app.out_estimated_path.begin(), app.out_estimated_path.end()});
 }
 

@@ -7,12 +7,13 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "StopSignal.h"
 #include "errors.h"
 
 namespace akimap::app {
 
 namespace {
+
+const Results* unpublished = nullptr;  // of the application that runs
 
 /** For what is thrown in a thread, where nobody can catch it. */
 [[noreturn]] void endInOneLine() {
@@ -23,6 +24,7 @@ namespace {
         reason = reasonOf(e.what());
     } catch (...) {
     }
+    if (unpublished) unpublished->discard();
     std::cerr << "akimap: " << reason << std::endl;
     std::_Exit(1);
 }
@@ -65,8 +67,9 @@ void quietDown(Ini& ini, const std::string& section, const AppRequest& request,
         ini.write(section, key, std::string("ERROR"));
 }
 
-void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed) {
-    const StopSignal stop;
+void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed,
+            const Results& results) {
+    unpublished = &results;
     const auto old_handler = std::set_terminate(endInOneLine);
     try {
         run();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "LogFeed.h"
+#include "Results.h"
 #include "config_checks.h"
 
 namespace akimap::app {
@@ -49,8 +50,9 @@ class FedApp : public App {
 void quietDown(Ini& ini, const std::string& section, const AppRequest& request,
                mrpt::system::COutputLogger& app);
 
-/** Runs `run` such that what it throws, even in threads of MRPT's, ends in one line.
- * \exception std::runtime_error naming the INI */
-void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed);
+/** Runs `run` such that what it throws, even in threads of MRPT's, ends in one line and leaves no
+ * scratch folder. \exception std::runtime_error naming the INI */
+void runApp(const AppRequest& request, const std::function<void()>& run, const LogFeed& feed,
+            const Results& results);
 
 }  // namespace akimap::app

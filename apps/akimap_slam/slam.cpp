@@ -5,7 +5,6 @@
 
 #include <iostream>
 
-#include "Results.h"
 #include "run_app.h"
 #include "slam_commands.h"
 
@@ -45,7 +44,7 @@ void runSlam(const SlamRequest& request, Ini ini, LogFeed::Form form,
     app.quits_with_esc_key = false;
     app.params = withRegisteredMaps(ini, kSection);
     runApp(
-        request, [&] { app.run(); }, feed);
+        request, [&] { app.run(); }, feed, results);
     results.publish(map_prefix, {app.out_estimated_path.begin(), app.out_estimated_path.end()});
 }
 

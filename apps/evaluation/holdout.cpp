@@ -12,17 +12,30 @@ namespace akimap::app {
 
 namespace {
 
-constexpr double kSpacing = 0.5;    // [m] of the free places
-constexpr double kClearance = 0.2;  // [m] between the last of them and the end
-constexpr double kRounding = 1e-9;  // [m] poses are applied in floating point
+constexpr double kSpacing = 0.5;         // [m] of the free places
+constexpr double kClearance = 0.2;       // [m] between the last of them and the end
+constexpr double kCloseClearance = 1.5;  // [cells] in the closer set
+constexpr double kRounding = 1e-9;       // [m] poses are applied in floating point
 
-double lengthOf(const Ray& r) {
-    return std::hypot(r.end[0] - r.origin[0], r.end[1] - r.origin[1], r.end[2] - r.origin[2]);
+std::size_t freeCount(double length, double clearance = kClearance) {
+    const double room = length - clearance + kRounding;
+    return room < kSpacing ? 0 : static_cast<std::size_t>(room / kSpacing);
 }
 
-std::size_t freeCount(double length) {
-    const double room = length - kClearance + kRounding;
-    return room < kSpacing ? 0 : static_cast<std::size_t>(room / kSpacing);
+/** A place [m] at a distance from the origin. */
+Query freeAt(const Ray& ray, double length, double distance) {
+    const double fraction = distance / length;
+    std::array<double, 3> place;
+    for (std::size_t i = 0; i < 3; i++)
+        place[i] = ray.origin[i] + fraction * (ray.end[i] - ray.origin[i]);
+    return {place, false};
+}
+
+std::vector<Query> freeQueries(const Ray& ray, double length, double clearance) {
+    std::vector<Query> queries;
+    for (std::size_t k = 1; k <= freeCount(length, clearance); k++)
+        queries.push_back(freeAt(ray, length, kSpacing * static_cast<double>(k)));
+    return queries;
 }
 
 void checkCount(const std::vector<Ray>& held_out) {
@@ -38,15 +51,15 @@ void checkCount(const std::vector<Ray>& held_out) {
 }  // namespace
 
 std::vector<Query> queriesOf(const Ray& ray) {
-    std::vector<Query> queries;
-    const double length = lengthOf(ray);
-    for (std::size_t k = 1; k <= freeCount(length); k++) {
-        const double fraction = kSpacing * static_cast<double>(k) / length;
-        std::array<double, 3> place;
-        for (std::size_t i = 0; i < 3; i++)
-            place[i] = ray.origin[i] + fraction * (ray.end[i] - ray.origin[i]);
-        queries.push_back({place, false});
-    }
+    std::vector<Query> queries = freeQueries(ray, lengthOf(ray), kClearance);
+    queries.push_back({ray.end, true});
+    return queries;
+}
+
+std::vector<Query> closeQueriesOf(const Ray& ray, double resolution) {
+    const double length = lengthOf(ray), clearance = kCloseClearance * resolution;
+    std::vector<Query> queries = freeQueries(ray, length, clearance);
+    if (length > clearance) queries.push_back(freeAt(ray, length, length - clearance));
     queries.push_back({ray.end, true});
     return queries;
 }
@@ -68,16 +81,6 @@ ScoredCells collect(const OccupancyLookup& lookup, const std::vector<Ray>& held_
             cells.all.push_back({occupancy.value_or(0.5), query.occupied});
         }
     return cells;
-}
-
-ScoredCells collect(const OccupancyLookup& lookup, const std::vector<std::vector<Ray>>& scans,
-                    const std::vector<std::size_t>& held_out, const InsertionParameters& ranges) {
-    std::vector<Ray> rays;
-    for (const std::size_t i : held_out) {
-        const std::vector<Ray> scan = raysInRange(scans.at(i), ranges);
-        rays.insert(rays.end(), scan.begin(), scan.end());
-    }
-    return collect(lookup, rays);
 }
 
 }  // namespace akimap::app

@@ -24,6 +24,10 @@ struct Query {
  * end, free, and then its end, occupied. */
 [[nodiscard]] std::vector<Query> queriesOf(const Ray& ray);
 
+/** The same up to 1.5 cells before the end, and the place there too: 0.2 m before it is far enough
+ * for a map to make its surfaces fat unnoticed. \param resolution [m] of the cells */
+[[nodiscard]] std::vector<Query> closeQueriesOf(const Ray& ray, double resolution);
+
 /** The rays that AkiMap::insertRays() would take by their length; finite ones only. */
 [[nodiscard]] std::vector<Ray> raysInRange(const std::vector<Ray>& rays,
                                            const InsertionParameters& ranges);
@@ -32,12 +36,6 @@ struct Query {
  * has evidence; `all`: p = 0.5 elsewhere. \exception std::runtime_error if there are no queries, or
  * more than kMaxScoredCells */
 [[nodiscard]] ScoredCells collect(const OccupancyLookup& lookup, const std::vector<Ray>& held_out);
-
-/** The same for the scans of the given indices, by the range limits that the map was built with. */
-[[nodiscard]] ScoredCells collect(const OccupancyLookup& lookup,
-                                  const std::vector<std::vector<Ray>>& scans,
-                                  const std::vector<std::size_t>& held_out,
-                                  const InsertionParameters& ranges);
 
 /** Whether the scan of this number, counted from 0, is one of scans every, 2 every, ... counted
  * from 1. */

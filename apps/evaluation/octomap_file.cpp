@@ -14,14 +14,12 @@ namespace akimap::app {
 
 namespace {
 
-constexpr int kDepth = 16;  // of every OctoMap tree
-
 /** Walks the nodes of a .ot: the log-odds, a bit for each child that there is, the children.
  * \return how many there are; 0 if they nest too deep, end early, or hold no number */
 uint64_t countNodes(std::istream& in, int depth = 0) {
     float log_odds = 0;
     unsigned char children = 0;
-    if (depth > kDepth || !in.read(reinterpret_cast<char*>(&log_odds), 4) ||
+    if (depth > kOctoMapDepth || !in.read(reinterpret_cast<char*>(&log_odds), 4) ||
         !in.read(reinterpret_cast<char*>(&children), 1) || !std::isfinite(log_odds))
         return 0;
     uint64_t nodes = 1;

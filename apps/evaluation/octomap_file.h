@@ -4,11 +4,16 @@
 
 #include <octomap/OcTree.h>
 
+#include <cstdint>
 #include <istream>
 #include <memory>
 #include <string>
 
 namespace akimap::app {
+
+/** Every OctoMap tree is so deep: its cells have indices from -kOctoMapHalf to kOctoMapHalf - 1. */
+inline constexpr int kOctoMapDepth = 16;
+inline constexpr int32_t kOctoMapHalf = 1 << (kOctoMapDepth - 1);
 
 /** What stands above the nodes of an OctoMap file. */
 struct OctoMapHeader {

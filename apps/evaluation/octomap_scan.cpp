@@ -4,8 +4,6 @@
 
 #include <mrpt/maps/CSimplePointsMap.h>
 
-#include <algorithm>
-
 namespace akimap::app {
 
 PointCloudScan asPointCloud(const std::vector<Ray>& rays) {
@@ -19,16 +17,6 @@ PointCloudScan asPointCloud(const std::vector<Ray>& rays) {
                                                   static_cast<float>(r.end[1] - o[1]),
                                                   static_cast<float>(r.end[2] - o[2]));
     return s;
-}
-
-void insertRays(mrpt::maps::COctoMap& map, const std::vector<Ray>& rays) {
-    for (auto begin = rays.begin(); begin != rays.end();) {
-        const auto end = std::find_if(begin, rays.end(),
-                                      [&](const Ray& r) { return r.origin != begin->origin; });
-        const PointCloudScan scan = asPointCloud({begin, end});
-        map.insertObservation(scan.observation, scan.robot);
-        begin = end;
-    }
 }
 
 }  // namespace akimap::app

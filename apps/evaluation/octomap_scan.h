@@ -3,7 +3,6 @@
 #pragma once
 
 #include <akimap/Ray.h>
-#include <mrpt/maps/COctoMap.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/poses/CPose3D.h>
 
@@ -19,9 +18,5 @@ struct PointCloudScan {
 };
 /** \pre one origin for the whole scan */
 [[nodiscard]] PointCloudScan asPointCloud(const std::vector<Ray>& rays);
-
-/** Inserts a scan into MRPT's map. One of a moving sensor, whose rays have more than one origin,
- * goes in as one cloud for each run of rays of the same origin. */
-void insertRays(mrpt::maps::COctoMap& map, const std::vector<Ray>& rays);
 
 }  // namespace akimap::app

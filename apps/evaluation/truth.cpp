@@ -14,9 +14,6 @@ namespace akimap::app {
 
 namespace {
 
-constexpr int kDepth = 16;                    // of every OctoMap tree
-constexpr int32_t kHalf = 1 << (kDepth - 1);  // the cells of an axis start at -kHalf
-
 /** Reads the nodes of a .bt: two bytes for each inner node, two bits for each of its children
  * (00 unknown, 01 free, 10 occupied, 11 inner), then the inner children, depth first. */
 class NodeReader {
@@ -116,7 +113,8 @@ Truth readTruth(const std::string& file, const std::string& what) {
     truth.resolution = header.resolution;
     NodeReader reader(in, truth.leaves);
     if (header.size > 0 &&
-        (!reader.readInner({-kHalf, -kHalf, -kHalf}, 2 * kHalf) || reader.nodes() != header.size))
+        (!reader.readInner({-kOctoMapHalf, -kOctoMapHalf, -kOctoMapHalf}, 2 * kOctoMapHalf) ||
+         reader.nodes() != header.size))
         throw std::runtime_error(named + " is damaged or cut short");
     return truth;
 }
@@ -127,9 +125,10 @@ Truth truthOf(const octomap::OcTree& tree) {
     truth.leaves.reserve(tree.getNumLeafNodes());
     for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
         const octomap::OcTreeKey first = leaf.getIndexKey();
-        truth.leaves.push_back({{first[0] - kHalf, first[1] - kHalf, first[2] - kHalf},
-                                1 << (kDepth - leaf.getDepth()),
-                                tree.isNodeOccupied(*leaf)});
+        truth.leaves.push_back(
+            {{first[0] - kOctoMapHalf, first[1] - kOctoMapHalf, first[2] - kOctoMapHalf},
+             1 << (kOctoMapDepth - leaf.getDepth()),
+             tree.isNodeOccupied(*leaf)});
     }
     return truth;
 }

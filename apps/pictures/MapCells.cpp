@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include "pictures/MapCells.h"
+#include "grid/BlockGrid.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,9 +15,9 @@ MapCells cellsOf(const AkiMap& map, double threshold) {
                       kMax = std::numeric_limits<int32_t>::max();
     MapCells cells{{}, {}, {kMax, kMax, kMax}, {kMin, kMin, kMin}};
     CellIndex &low = cells.lowest, &high = cells.highest;
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& state) {
-        const CellIndex c = map.grid().cellAt(p.x, p.y, p.z);
-        (state.occupancy() > threshold ? cells.occupied : cells.free).insert(c);
+    map.forEachCell([&](const Cell& cell) {
+        const CellIndex c = indexOf(cell);
+        (cell.state.occupancy() > threshold ? cells.occupied : cells.free).insert(c);
         low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
         high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
     });

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "grid/BlockGrid.h"
 #include "pictures/picture.h"
 
 namespace akimap::app {

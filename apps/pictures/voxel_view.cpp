@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include "pictures/voxel_view.h"
+#include "grid/BlockGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <optional>
 
 #include "pictures/faces.h"
+#include "quantile.h"
 
 namespace akimap::app {
 
@@ -18,13 +20,6 @@ std::vector<CellIndex> listOf(const CellSet& cells) {
     list.reserve(cells.size());
     cells.forEach([&](const CellIndex& c) { list.push_back(c); });
     return list;
-}
-
-template <class T>
-T quantile(std::vector<T>& values, double q) {
-    const auto n = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), values.begin() + n, values.end());
-    return values[static_cast<std::size_t>(n)];
 }
 
 /** The lowest cells of the slabs that hang alone in the air above `floor`, one a column: the

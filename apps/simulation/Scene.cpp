@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simulation/Random.h"
+#include "simulation/furniture.h"
 
 namespace akimap::app {
 
@@ -13,21 +14,6 @@ using mrpt::math::TPoint3D;
 using mrpt::math::TVector3D;
 
 namespace {
-
-// Multiples of 5 cm plus this lie in the middle of a 5 cm cell and a quarter into a 10 cm one.
-constexpr double kCellMiddle = 0.025;
-constexpr double kLength = 10, kWidth = 7, kHeight = 2;  // [m] along x, y, z
-
-void addRoom(Scene& scene) {
-    const TPoint3D low(kCellMiddle, kCellMiddle, kCellMiddle);
-    scene.add(makeRoom(low, low + TVector3D(kLength, kWidth, kHeight)));
-}
-
-/** A box with level faces; opposite corners [m], to which kCellMiddle is added. */
-void addCrate(Scene& scene, const TPoint3D& low, const TPoint3D& high) {
-    const TPoint3D centre = (low + high) * 0.5 + TVector3D(kCellMiddle, kCellMiddle, kCellMiddle);
-    scene.add(makeBox({centre.x, centre.y, centre.z, 0, 0, 0}, high - low));
-}
 
 void addTable(Scene& scene, double x, double y, double length, double width) {
     constexpr double kLeg = 0.1, kUnderside = 0.7, kTop = 0.75;
@@ -139,24 +125,46 @@ Scene makeUnstructured(uint64_t seed) {
 
 }  // namespace
 
-void Scene::add(ShapePtr shape) {
+void Scene::add(ShapePtr shape, Material material) {
     constexpr double kRounding = 1e-9;  // [m]
     balls_.push_back(shape->ball());
     balls_.back().radius += kRounding;
     shapes_.push_back(std::move(shape));
+    materials_.push_back(material);
 }
 
 std::optional<double> Scene::castRay(const TPoint3D& origin, const TVector3D& direction,
                                      double max_distance) const {
-    double distance = std::numeric_limits<double>::infinity();
+    const auto hit = firstHit(origin, direction, false);
+    if (!hit || hit->distance > max_distance) return std::nullopt;
+    return hit->distance;
+}
+
+std::optional<Hit> Scene::firstHit(const TPoint3D& origin, const TVector3D& direction,
+                                   bool through_glass) const {
+    Hit first{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < shapes_.size(); i++) {
+        if (through_glass && materials_[i] == Material::glass) continue;
         const TVector3D to_ball = balls_[i].centre - origin;
         const double along = dot(to_ball, direction), radius = balls_[i].radius;
         if (to_ball.sqrNorm() - along * along > radius * radius) continue;
-        distance = std::min(distance, shapes_[i]->rayDistance(origin, direction));
+        const double distance = shapes_[i]->rayDistance(origin, direction);
+        if (distance < first.distance) first = {distance, i};
     }
-    if (!std::isfinite(distance) || distance > max_distance) return std::nullopt;
-    return distance;
+    return std::isfinite(first.distance) ? std::optional(first) : std::nullopt;
+}
+
+TVector3D Scene::normalBefore(const Hit& hit, const TPoint3D& origin,
+                              const TVector3D& direction) const {
+    constexpr double kBefore = 1e-4, kStep = 1e-6;  // [m]
+    const TPoint3D at = origin + direction * (hit.distance - kBefore);
+    TVector3D gradient;
+    for (std::size_t i = 0; i < 3; i++) {
+        TPoint3D low = at, high = at;
+        low[i] -= kStep, high[i] += kStep;
+        gradient[i] = shapes_[hit.shape]->distanceTo(high) - shapes_[hit.shape]->distanceTo(low);
+    }
+    return gradient.unitarize();
 }
 
 double Scene::distanceToSurface(const TPoint3D& point) const {
@@ -170,7 +178,24 @@ double Scene::floorHeight() {
 }
 
 Scene makeScene(SceneKind kind, uint64_t seed) {
-    return kind == SceneKind::structured ? makeStructured() : makeUnstructured(seed);
+    switch (kind) {
+        case SceneKind::structured:
+            return makeStructured();
+        case SceneKind::unstructured:
+            return makeUnstructured(seed);
+        default:
+            return makeFurnished();
+    }
+}
+
+void addRoom(Scene& scene) {
+    const TPoint3D low(kCellMiddle, kCellMiddle, kCellMiddle);
+    scene.add(makeRoom(low, low + TVector3D(kLength, kWidth, kHeight)));
+}
+
+void addCrate(Scene& scene, const TPoint3D& low, const TPoint3D& high, Material material) {
+    const TPoint3D centre = (low + high) * 0.5 + TVector3D(kCellMiddle, kCellMiddle, kCellMiddle);
+    scene.add(makeBox({centre.x, centre.y, centre.z, 0, 0, 0}, high - low), material);
 }
 
 mrpt::math::TBoundingBox scoringBox() {

@@ -14,8 +14,18 @@
 namespace akimap::app {
 
 enum class SceneKind : uint8_t {
-    structured,   ///< walls, boxes, a table, shelves and pillars at fixed places
-    unstructured  ///< pillars, spheres and leaning slabs at random places
+    structured,    ///< walls, boxes, a table, shelves and pillars at fixed places
+    unstructured,  ///< pillars, spheres and leaning slabs at random places
+    furnished      ///< two rooms with doors, a window, thin legs, poles, stairs and a slope
+};
+
+/** How well sensors see a thing: see RangeErrors. In the truth all things are surfaces. */
+enum class Material : uint8_t { matte, dark, glass };
+
+/** Where a ray meets the scene. */
+struct Hit {
+    double distance;    ///< [m]
+    std::size_t shape;  ///< its index
 };
 
 /** A robot's place on the floor: position [m] and the first of its headings [rad]. */
@@ -33,24 +43,34 @@ class Scene {
     [[nodiscard]] std::optional<double> castRay(
         const mrpt::math::TPoint3D& origin, const mrpt::math::TVector3D& direction,
         double max_distance = std::numeric_limits<double>::infinity()) const;
+    /** The same with what it meets. \param through_glass  as if there were none */
+    [[nodiscard]] std::optional<Hit> firstHit(const mrpt::math::TPoint3D& origin,
+                                              const mrpt::math::TVector3D& direction,
+                                              bool through_glass) const;
+    /** Unit normal of the surface just before the hit, on the ray's side. */
+    [[nodiscard]] mrpt::math::TVector3D normalBefore(const Hit& hit,
+                                                     const mrpt::math::TPoint3D& origin,
+                                                     const mrpt::math::TVector3D& direction) const;
     /** Distance [m] from the point to the nearest surface, never negative. */
     [[nodiscard]] double distanceToSurface(const mrpt::math::TPoint3D& point) const;
 
     [[nodiscard]] const std::vector<ShapePtr>& shapes() const { return shapes_; }
+    [[nodiscard]] Material material(std::size_t shape) const { return materials_[shape]; }
     /** Where scans are taken: clear of obstacles, together they see most of the room. */
     [[nodiscard]] const std::vector<ScanPlace>& places() const { return places_; }
     [[nodiscard]] static double floorHeight();  ///< [m]
 
-    void add(ShapePtr shape);
+    void add(ShapePtr shape, Material material = Material::matte);
     void addPlace(const ScanPlace& place) { places_.push_back(place); }
 
  private:
     std::vector<ShapePtr> shapes_;
-    std::vector<Ball> balls_;  // one for each shape, a hair larger
+    std::vector<Material> materials_;  // one for each shape
+    std::vector<Ball> balls_;          // one for each shape, a hair larger
     std::vector<ScanPlace> places_;
 };
 
-/** \param seed  places the things of the unstructured scene; the structured one is fixed */
+/** \param seed  places the things of the unstructured scene; the others are fixed */
 Scene makeScene(SceneKind kind, uint64_t seed);
 
 /** The box [m] to score maps in: room, walls and floor, on the faces of 5 and 10 cm cells. */

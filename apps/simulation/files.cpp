@@ -130,14 +130,16 @@ DriveFiles::DriveFiles(const std::string& folder)
     : rawlog(fs::path(folder) / "scene.rawlog"),
       trajectory(fs::path(folder) / "trajectory.tum"),
       simplemap(fs::path(folder) / "scene.simplemap"),
-      truth(fs::path(folder) / "truth.bt") {}
+      truth(fs::path(folder) / "truth.bt"),
+      true_trajectory(fs::path(folder) / "true_trajectory.tum") {}
 
 DriveFiles prepareFolder(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw std::runtime_error("cannot create '" + folder + "': " + error.message());
     DriveFiles files(folder);
-    for (const std::string& file : {files.rawlog, files.trajectory, files.simplemap, files.truth})
+    for (const std::string& file :
+         {files.rawlog, files.trajectory, files.simplemap, files.truth, files.true_trajectory})
         AtomicFile::checkWritable(file);
     return files;
 }
@@ -145,12 +147,14 @@ DriveFiles prepareFolder(const std::string& folder) {
 void writeDrive(const SimulatedDrive& drive, const octomap::OcTree& truth, const DriveFiles& files,
                 bool with_poses) {
     AtomicFile rawlog(files.rawlog), trajectory(files.trajectory), simplemap(files.simplemap),
-        truth_file(files.truth);
+        truth_file(files.truth), true_trajectory(files.true_trajectory);
     naming(rawlog, [&] { writeRawlog(drive, with_poses, rawlog); });
     naming(trajectory, [&] { writeTrajectory(drive.trajectory, trajectory); });
     naming(simplemap, [&] { writeSimplemap(drive, simplemap); });
     naming(truth_file, [&] { writeTruth(truth, truth_file); });
-    for (AtomicFile* file : {&rawlog, &trajectory, &simplemap, &truth_file}) file->commit();
+    naming(true_trajectory, [&] { writeTrajectory(drive.true_trajectory, true_trajectory); });
+    for (AtomicFile* file : {&rawlog, &trajectory, &simplemap, &truth_file, &true_trajectory})
+        file->commit();
 }
 
 }  // namespace akimap::app

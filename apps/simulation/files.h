@@ -10,10 +10,10 @@
 
 namespace akimap::app {
 
-/** Names of a drive's four files. */
+/** Names of a drive's files. */
 struct DriveFiles {
     explicit DriveFiles(const std::string& folder);
-    std::string rawlog, trajectory, simplemap, truth;
+    std::string rawlog, trajectory, simplemap, truth, true_trajectory;
 };
 
 /** Makes the folder if it is missing.
@@ -22,7 +22,8 @@ DriveFiles prepareFolder(const std::string& folder);
 
 /** Writes the drive's files, all of them or none:
  * `scene.rawlog`, the observations one after another, as rawlog-grabber does;
- * `trajectory.tum`, the keyframes of the robot in the map, `time x y z qx qy qz qw`;
+ * `trajectory.tum`, the keyframes of the robot in the map, `time x y z qx qy qz qw`, as recorded;
+ * `true_trajectory.tum`, the same without pose errors;
  * `scene.simplemap`, each scan, its points made, with the robot's pose at its timestamp;
  * `truth.bt`, OctoMap binary.
  * \param with_poses  adds the keyframes to the rawlog as CObservationRobotPose

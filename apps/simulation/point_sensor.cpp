@@ -14,10 +14,8 @@ using mrpt::math::TVector3D;
 
 namespace {
 
-constexpr int kShots = 3600;
 constexpr double kDegree = M_PI / 180;
 constexpr double kHalfWidth = 60 * kDegree, kLow = -40 * kDegree, kHigh = 20 * kDegree;
-constexpr double kMinRange = 0.3;  // [m]
 
 /** Uniform over the band's solid angle. */
 TVector3D randomDirection(Random& random) {
@@ -29,30 +27,31 @@ TVector3D randomDirection(Random& random) {
 
 }  // namespace
 
-SimulatedScan takePointScan(const World& world, double time, Random& random) {
+SimulatedScan takePointScan(const SensorModel& model, const World& world, double time,
+                            Random& random) {
     auto obs = mrpt::obs::CObservationPointCloud::Create();
     obs->sensorLabel = "LIDAR";
     obs->timestamp = mrpt::Clock::fromDouble(time);
     obs->sensorPose = {0.2, -0.05, 0.65, -3 * kDegree, 2 * kDegree, 1 * kDegree};
     const auto cloud = mrpt::maps::CSimplePointsMap::Create();
-    cloud->reserve(kShots);
+    cloud->reserve(static_cast<std::size_t>(model.columns));
     obs->pointcloud = cloud;
 
     SimulatedScan scan{obs, time, world.trajectory.at(time), {}, {}};
     const mrpt::poses::CPose3D sensor = scan.robot_pose + obs->sensorPose;
     const mrpt::math::TPoint3D origin = sensor.translation();
-    scan.rays.reserve(kShots);
-    for (int i = 0; i < kShots; i++) {
+    scan.rays.reserve(static_cast<std::size_t>(model.columns));
+    for (int i = 0; i < model.columns; i++) {
         const TVector3D direction = randomDirection(random);
         const auto range =
-            measureRange(world, origin, sensor.rotateVector(direction), kMinRange, random);
+            measureRange(world, origin, sensor.rotateVector(direction), model.min_range, random);
         if (!range) continue;
         const mrpt::math::TPoint3Df point = (direction * *range).cast<float>();
         cloud->insertPoint(point);
         scan.rays.push_back(rayTo(sensor, point.cast<double>()));
     }
     scan.views.push_back(
-        {sensor, FieldOfView::band(0, kHalfWidth, kLow, kHigh), kMinRange, world.max_range});
+        {sensor, FieldOfView::band(0, kHalfWidth, kLow, kHigh), model.min_range, world.max_range});
     return scan;
 }
 

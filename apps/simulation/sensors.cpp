@@ -6,27 +6,26 @@ namespace akimap::app {
 
 using mrpt::math::TPoint3D;
 
-SimulatedScan takeScan(SensorKind kind, const World& world, double time, Random& random) {
-    switch (kind) {
-        case SensorKind::depth:
-            return takeDepthScan(world, time, random);
-        case SensorKind::velodyne:
-            return takeVelodyneScan(world, time, random);
+SimulatedScan takeScan(const SensorModel& sensor, const World& world, double time, Random& random) {
+    switch (sensor.pattern) {
+        case Pattern::image:
+            return takeDepthScan(sensor, world, time, random);
+        case Pattern::packets:
+            return takeVelodyneScan(sensor, world, time, random);
+        case Pattern::rings:
+            return takeRingScan(sensor, world, time, random);
         default:
-            return takePointScan(world, time, random);
+            return takePointScan(sensor, world, time, random);
     }
 }
 
-std::optional<double> measureRange(const World& world, const TPoint3D& origin,
-                                   const mrpt::math::TVector3D& direction, double min_range,
-                                   Random& random) {
-    // Drawn for every ray, so that what one ray meets does not change the noise of the next.
-    const double noise = random.normal(world.range_noise);
-    const auto distance = world.scene.castRay(origin, direction);
-    if (!distance) return std::nullopt;
-    const double measured = *distance + noise;
-    if (measured < min_range || measured > world.max_range) return std::nullopt;
-    return measured;
+std::vector<double> drawBeamOffsets(const SensorModel& sensor, const RangeErrors& errors,
+                                    uint64_t seed) {
+    if (errors.beam_offset == 0) return {};
+    Random random(seed, 7);
+    std::vector<double> offsets;
+    for (int i = 0; i < sensor.rows; i++) offsets.push_back(random.normal(errors.beam_offset));
+    return offsets;
 }
 
 Ray rayTo(const mrpt::poses::CPose3D& sensor, const TPoint3D& local_point) {

@@ -2,43 +2,52 @@
 // Copyright (c) 2026, the akimap developers
 #include "simulation/simulate.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "simulation/pose_errors.h"
 #include "simulation/truth.h"
 
 namespace akimap::app {
 
 namespace {
 
-void check(const SimulationOptions& options) {
-    if (options.moving && options.sensor != SensorKind::velodyne)
+void checkOptions(const SimulationOptions& options) {
+    const SensorModel sensor = sensorModel(options.sensor);
+    if (options.moving && sensor.pattern != Pattern::packets)
         throw std::runtime_error(
-            "moving: only the velodyne sensor takes its time over a scan; depth and pointcloud "
-            "see all at once");
-    if (!(options.range_noise >= 0 && std::isfinite(options.range_noise)))
-        throw std::runtime_error("range noise: " + std::to_string(options.range_noise) +
-                                 " m, but it must be 0 or more");
-    // Above it the range image's 16 bits of millimetres overflow.
-    if (!(options.max_range > 0 && options.max_range <= 60))
-        throw std::runtime_error("maximum range: " + std::to_string(options.max_range) +
-                                 " m, but it must be above 0 and at most 60");
+            "moving: only velodyne and vlp16 take their time over a scan; the others see all at "
+            "once");
+    check(options.errors.value_or(sensor.errors));
+    check(options.pose_errors);
+    // Above them the range image's 16 bits of millimetres and the packets' of 2 mm overflow.
+    const double most = sensor.pattern == Pattern::image ? 60 : 120;
+    const double max_range = options.max_range.value_or(sensor.max_range);
+    if (!(max_range > 0 && max_range <= most))
+        throw std::runtime_error("maximum range: " + std::to_string(max_range) +
+                                 " m, but it must be above 0 and at most " + std::to_string(most));
 }
 
 }  // namespace
 
 SimulatedDrive simulate(const SimulationOptions& options) {
-    check(options);
+    checkOptions(options);
+    const SensorModel sensor = sensorModel(options.sensor);
     Scene scene = makeScene(options.scene, options.seed);
     Drive drive = makeDrive(scene, options.moving, options.seed);
-    SimulatedDrive result{std::move(scene), std::move(drive.trajectory), {}};
-    const World world{result.scene, result.trajectory, options.moving, options.range_noise,
-                      options.max_range};
+    SimulatedDrive result{std::move(scene), drive.trajectory, {}, drive.trajectory};
+    const RangeErrors errors = options.errors.value_or(sensor.errors);
+    const World world{result.scene,
+                      drive.trajectory,
+                      options.moving,
+                      errors,
+                      options.max_range.value_or(sensor.max_range),
+                      drawBeamOffsets(sensor, errors, options.seed)};
     Random random(options.seed, 3);
     for (const double time : drive.scan_times)
-        result.scans.push_back(takeScan(options.sensor, world, time, random));
+        result.scans.push_back(takeScan(sensor, world, time, random));
+    if (options.pose_errors.any()) misplace(result, options.pose_errors, options.seed);
     return result;
 }
 

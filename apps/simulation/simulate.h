@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulation/Scene.h"
@@ -18,17 +19,19 @@ namespace akimap::app {
 struct SimulationOptions {
     SceneKind scene = SceneKind::structured;
     SensorKind sensor = SensorKind::depth;
-    uint64_t seed = 1;          ///< places of things, small changes of pose, range noise
-    bool moving = false;        ///< drive during each scan; only for SensorKind::velodyne
-    double range_noise = 0.01;  ///< [m] >= 0. Standard deviation, Gaussian along the ray
-    double max_range = 8.0;     ///< [m] > 0. Returns farther away are lost
+    uint64_t seed = 1;                  ///< places of things, small changes of pose, all errors
+    bool moving = false;                ///< drive during each scan; only for lidars of packets
+    std::optional<RangeErrors> errors;  ///< empty: the sensor's own, see sensorModel()
+    std::optional<double> max_range;    ///< [m] > 0. Returns farther away are lost; empty: its own
+    PoseErrors pose_errors;
 };
 
 /** A drive of 12 scans through one scene, from four places in three headings each. */
 struct SimulatedDrive {
     Scene scene;
-    Trajectory trajectory;
+    Trajectory trajectory;  ///< as recorded
     std::vector<SimulatedScan> scans;
+    Trajectory true_trajectory;  ///< the same without pose errors
 
     /** What these scans can know of the scene, see visibleTruth(). Takes seconds.
      * \param resolution  side of a cell [m] */

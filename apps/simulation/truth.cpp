@@ -128,14 +128,17 @@ void markSurfaces(const Scene& scene, const View& view, const std::vector<Surfac
     }
 }
 
-void markSightLines(const Scene& scene, const View& view, double spacing, SeenCells& cells) {
+/** \param apart  of the lines where they end [m] */
+void markSightLines(const Scene& scene, const View& view, double apart, SeenCells& cells) {
     const TPoint3D origin = view.sensor.translation();
-    view.field.forEachDirection(spacing, [&](const TVector3D& local, int doublings) {
+    constexpr double kFarthest = 13;  // [m] more than the room's diagonal
+    const double farthest = std::min(view.max_range, kFarthest);
+    view.field.forEachDirection(apart / farthest, [&](const TVector3D& local, int doublings) {
         // Close to the sensor lines crowd: there the coarser grid that leaves this line out, of
         // twice the spacing, is as dense as need be.
-        const double start = std::ldexp(view.max_range, -1 - doublings);
+        const double start = std::ldexp(farthest, -1 - doublings);
         const TVector3D direction = view.sensor.rotateVector(local);
-        const auto hit = scene.castRay(origin, direction, view.max_range);
+        const auto hit = scene.castRay(origin, direction, farthest);
         if (!hit || *hit < view.min_range) return;
         cells.mark(origin + direction * *hit, kSeenCut);
         if (*hit > start) cells.markCrossed(origin, direction, start, *hit);
@@ -161,7 +164,7 @@ std::unique_ptr<octomap::OcTree> visibleTruth(const Scene& scene, const std::vec
         SeenCells cells(resolution);
         for (std::size_t i = worker; i < views.size(); i += workers) {
             markSurfaces(scene, views[i], surface, cells);
-            markSightLines(scene, views[i], resolution / 3 / views[i].max_range, cells);
+            markSightLines(scene, views[i], resolution / 3, cells);
         }
         return cells;
     };

@@ -24,12 +24,9 @@ constexpr double kBlockMicroseconds = 110.592, kFiringMicroseconds = 55.296;
 constexpr double kLaserMicroseconds = 2.304;
 constexpr int kTurnUnits = CObservationVelodyneScan::ROTATION_MAX_UNITS;  // 0.01 deg each
 constexpr double kDistanceUnit = 0.002;                                   // [m]
-constexpr double kMinRange = 1.0;  // [m] MRPT drops nearer returns unless told otherwise
 
 constexpr int kPackets = 75;  // one turn in 99.5 ms
 constexpr int kBlockTurn = kTurnUnits / (kPackets * kBlocks);
-// Blocks between are sent without returns: so a scan has about 3500 points, not 14000.
-constexpr int kFilledEvery = 4;
 // While driving, the truth is seen from one place for each few packets (16 mm of travel).
 constexpr int kSectors = 25;
 
@@ -85,14 +82,15 @@ TVector3D laserDirection(int block_azimuth, int firing, int laser,
     return {cosine * std::cos(angle), cosine * std::sin(angle), sine};
 }
 
-CObservationVelodyneScan::Ptr makeObservation(const World& world, double time) {
+CObservationVelodyneScan::Ptr makeObservation(const SensorModel& lidar, const World& world,
+                                              double time) {
     auto obs = CObservationVelodyneScan::Create();
     obs->sensorLabel = "VELODYNE";
     obs->timestamp = obs->originalReceivedTimestamp = mrpt::Clock::fromDouble(time);
     constexpr double kDegree = M_PI / 180;
     obs->sensorPose = {0.2, 0.05, 0.7, 3 * kDegree, 2 * kDegree, -1 * kDegree};
     obs->calibration = mrpt::obs::VelodyneCalibration::LoadDefaultCalibration("VLP16");
-    obs->minRange = kMinRange;
+    obs->minRange = lidar.min_range;
     obs->maxRange = world.max_range;
     return obs;
 }
@@ -106,8 +104,9 @@ void fireBlock(const World& world, const CObservationVelodyneScan& obs, const CP
             const TVector3D direction =
                 laserDirection(azimuth, firing, laser,
                                obs.calibration.laser_corrections[static_cast<std::size_t>(laser)]);
-            const auto range = measureRange(world, sensor.translation(),
-                                            sensor.rotateVector(direction), kMinRange, random);
+            const auto range =
+                measureRange(world, sensor.translation(), sensor.rotateVector(direction),
+                             obs.minRange, random, 1, static_cast<std::size_t>(laser));
             if (!range) continue;
             const long units = std::lround(*range / kDistanceUnit);
             packet.setReturn(block, firing * kLasers + laser, units);
@@ -117,8 +116,8 @@ void fireBlock(const World& world, const CObservationVelodyneScan& obs, const CP
         }
 }
 
-void addViews(const World& world, const CPose3D& sensor_on_robot, double time, int first_azimuth,
-              SimulatedScan& scan) {
+void addViews(const World& world, const CObservationVelodyneScan& obs, double time,
+              int first_azimuth, SimulatedScan& scan) {
     constexpr double kTop = 15 * M_PI / 180;  // [rad] of the highest laser, and the lowest below
     const int sectors = world.moving ? kSectors : 1;
     const double revolution = 1e-6 * kPackets * kBlocks * kBlockMicroseconds;
@@ -126,16 +125,17 @@ void addViews(const World& world, const CPose3D& sensor_on_robot, double time, i
         const double turned = (i + 0.5) / sectors;
         const double azimuth = -(first_azimuth * kUnitAngle + 2 * M_PI * turned);
         const double seen_at = world.moving ? time + turned * revolution : time;
-        scan.views.push_back({world.trajectory.at(seen_at) + sensor_on_robot,
-                              FieldOfView::band(azimuth, M_PI / sectors, -kTop, kTop), kMinRange,
+        scan.views.push_back({world.trajectory.at(seen_at) + obs.sensorPose,
+                              FieldOfView::band(azimuth, M_PI / sectors, -kTop, kTop), obs.minRange,
                               world.max_range});
     }
 }
 
 }  // namespace
 
-SimulatedScan takeVelodyneScan(const World& world, double time, Random& random) {
-    const auto obs = makeObservation(world, time);
+SimulatedScan takeVelodyneScan(const SensorModel& lidar, const World& world, double time,
+                               Random& random) {
+    const auto obs = makeObservation(lidar, world, time);
     SimulatedScan scan{obs, time, world.trajectory.at(time), {}, {}};
     const int first_azimuth = static_cast<int>(random.uniform(0, kTurnUnits));
     const auto time_of_hour = static_cast<uint32_t>(std::lround(std::fmod(time, 3600) * 1e6));
@@ -148,12 +148,12 @@ SimulatedScan takeVelodyneScan(const World& world, double time, Random& random) 
         for (int block = 0; block < kBlocks; block++) {
             const int azimuth = (first_azimuth + (i * kBlocks + block) * kBlockTurn) % kTurnUnits;
             packet.setBlock(block, azimuth);
-            if (block % kFilledEvery == 0)
+            if (block % lidar.filled_every == 0)
                 fireBlock(world, *obs, sensor, block, azimuth, packet, scan.rays, random);
         }
         obs->scan_packets.push_back(packet.packet());
     }
-    addViews(world, obs->sensorPose, time, first_azimuth, scan);
+    addViews(world, *obs, time, first_azimuth, scan);
     return scan;
 }
 

@@ -9,6 +9,7 @@
 
 #include "mapping/RealtimeGate.h"
 #include "pictures/plot/plot.h"
+#include "quantile.h"
 #include "report/markdown.h"
 
 namespace akimap::bench {
@@ -34,11 +35,6 @@ Run replay(const Method& method, const MapSettings& settings,
         run.milliseconds.push_back(1e3 * seconds);
     }
     return run;
-}
-
-double quantile(std::vector<double> values, double q) {
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1) + 0.5)];
 }
 
 /** In bins of 25 ms from 0. */
@@ -82,11 +78,11 @@ std::string onTheFlySection(Report& report, const LidarDrive& drive, const std::
         report.doing(drive.name + ", on the fly: " + cases[i].label);
         settings.threads = cases[i].threads;
         const Run run = replay(cases[i].method, settings, scans, drive.rate);
-        const double median = quantile(run.milliseconds, 0.5);
+        const double median = app::quantile(run.milliseconds, 0.5);
         const uint64_t lost = run.gate.lost();
         table.add({cases[i].label, std::to_string(run.gate.offered()),
                    std::to_string(run.gate.used()), std::to_string(lost), fixed(median, 1),
-                   fixed(quantile(run.milliseconds, 0.99), 1)});
+                   fixed(app::quantile(run.milliseconds, 0.99), 1)});
         if (i == 0 && lost > 0)
             report.lost.emplace_back(drive.name + ", on the fly",
                                      cases[i].label + " lose " + std::to_string(lost) + " of " +

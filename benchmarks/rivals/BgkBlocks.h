@@ -2,8 +2,8 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
 #include <akimap/Ray.h>
+#include "grid/BlockGrid.h"
 
 #include <optional>
 #include <vector>

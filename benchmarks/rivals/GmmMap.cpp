@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include "rivals/GmmMap.h"
+#include "grid/BlockGrid.h"
 
 #include <mrpt/system/CTicTac.h>
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
+#include "grid/BlockGrid.h"
 
 #include <Eigen/Core>
 #include <random>

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "rivals/Rival.h"
 
-#include <akimap/BlockGrid.h>
+#include "grid/BlockGrid.h"
 
 #include <cmath>
 

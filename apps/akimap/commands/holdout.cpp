@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "evaluation/holdout.h"
-
-#include <mrpt/core/format.h>
-
-#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "cli.h"
 #include "commands/commands.h"
-#include "evaluation/octomap_scan.h"
+#include "evaluation/contest/contest.h"
+#include "evaluation/contest/contest_report.h"
+#include "evaluation/contest/depth_picture.h"
 #include "evaluation/report.h"
 #include "input/scan_feed.h"
 #include "mapping/map_options.h"
@@ -22,122 +20,117 @@ namespace akimap::app {
 namespace {
 
 constexpr const char* kOutputGroup = "Output";
+constexpr const char* kFooter =
+    "Does a map predict what the next scan sees? Some scans are held out; the maps are built from\n"
+    "the others and judged by those held out:\n"
+    "  AkiMap     as configured\n"
+    "  paper      --estimator paper: the paper's method\n"
+    "  isotropic  --bandwidth isotropic: kernels of one size\n"
+    "  OctoMap    its library's insertPointCloud(), discretized\n"
+    "  TSDF       a plain truncated signed distance field: the strongest predictor, no evidence\n"
+    "  OctoMap+   OctoMap that got the held-out scans too: what is possible\n"
+    "\n"
+    "Rays. Each held-out return within the range limits (at most 20000 of a scan, evenly) is cast\n"
+    "from its origin through the map to four cells behind it; the first cell with an occupancy\n"
+    "above 0.5 stops it. Shares of all rays cast:\n"
+    "  near1, near3  stopped within 1.5, 3.5 cells of the return: the wall is where it was seen\n"
+    "  early         stopped before that: the map blocks what is open\n"
+    "  phantom       the early ones by a cell with no held-out return within one cell of it:\n"
+    "                a door made narrower or a wall that is none, not merely a surface grazed\n"
+    "  late          stopped behind that\n"
+    "  miss          not stopped: the map has open what is blocked\n"
+    "  unknown       the missed ones where the map has no evidence at the return\n"
+    "  depth error   of the rays stopped: median and 90th percentile\n"
+    "Differences from OctoMap are taken scan by scan: their mean, the lowest and the highest.\n"
+    "\n"
+    "Faithfulness. Of the cells with three or more returns of the scans that the map got, the\n"
+    "share that is occupied, and that has an occupied cell within one cell.\n"
+    "\n"
+    "Queries. Each return's place is occupied; along its ray one place every 0.5 m is free, up to\n"
+    "0.2 m before it, or up to 1.5 cells before it and there too. AUC: how well the occupancy\n"
+    "tells them apart, 1 at best; Brier score: its mean squared error; log-loss: mean of\n"
+    "-ln(p of what is true), p kept within 0.01 and 0.99; calibration error: how far occupancies\n"
+    "are from the frequencies they stand for; F1: of cells called occupied above 0.5. Over the\n"
+    "queries that all maps have evidence for, over those that each has, and over all, with an\n"
+    "occupancy of 0.5 where it has none.";
 
 struct HoldoutRequest {
     InputRequest input;
     MapRequest map;
-    uint64_t every = 5;
-    std::string json, roc, calibration;
+    std::size_t every = 5, depth_scan = 0;
+    std::string folds = "one", json, roc, calibration, depth_picture;
     bool quiet = false;
 };
 
-/** The maps that get the same scans, and the rays that none of them gets. */
-struct Contest {
-    explicit Contest(const MapRequest& request)
-        : akimap(makeMapFor(request)), isotropic(akimap), octomap(akimap.resolution()) {
-        isotropic.insertionOptions.estimator = Estimator::paper;
-        isotropic.insertionOptions.bandwidth = Bandwidth::isotropic;
-    }
-    AkiMap akimap, isotropic;
-    mrpt::maps::COctoMap octomap;
-    std::vector<Ray> held_out;
-    uint64_t scans = 0, held_out_scans = 0;
-};
-
-/** How the maps fared, and their figures as JSON. */
-struct Results {
-    std::vector<Judgement> maps;
-    std::vector<nlohmann::ordered_json> figures;
-};
-
-void takeScan(Contest& contest, const std::vector<Ray>& rays, bool held_out) {
-    contest.scans++;
-    const std::vector<Ray> usable = raysInRange(rays, contest.akimap.insertionOptions);
-    if (held_out) {
-        contest.held_out_scans++;
-        contest.held_out.insert(contest.held_out.end(), usable.begin(), usable.end());
-        return;
-    }
-    contest.akimap.insertRays(rays);
-    contest.isotropic.insertRays(rays);
-    insertRays(contest.octomap, usable);
+ContestRules rulesOf(const HoldoutRequest& request, const AkiMap& configured) {
+    ContestRules rules = rulesFor(configured);
+    rules.every = request.every;
+    rules.all_folds = request.folds == "all";
+    if (request.depth_scan > 0) rules.view = request.depth_scan - 1;
+    return rules;
 }
 
-Results results(const Contest& contest) {
-    Results all;
-    const auto add = [&](const char* name, const auto& map) {
-        all.maps.push_back(judge(name, collect(lookupIn(map), contest.held_out)));
-        all.figures.push_back(toJson(all.maps.back().evaluation));
-    };
-    add("AkiMap", contest.akimap);
-    add("isotropic", contest.isotropic);
-    add("COctoMap", contest.octomap);
-    return all;
-}
-
-std::string textOf(const nlohmann::ordered_json& figure) {
-    if (figure.is_null()) return "-";
-    return figure.is_number_float() ? mrpt::format("%.4f", figure.get<double>()) : figure.dump();
-}
-
-/** Rows: the figures whose JSON names begin with `set`, "known" or "all"; columns: the maps. */
-void printTable(const std::string& set, const Results& results, std::ostream& out) {
-    const auto row = [&](std::string name, const auto& textOfMap) {
-        std::replace(name.begin(), name.end(), '_', ' ');
-        out << mrpt::format("%-20s", name.c_str());
-        for (std::size_t i = 0; i < results.maps.size(); i++)
-            out << mrpt::format("%12s", textOfMap(i).c_str());
-        out << "\n";
-    };
-    row(set + " queries", [&](std::size_t i) { return results.maps[i].name; });
-    for (const auto& figure : results.figures.front().items()) {
-        const std::string& key = figure.key();
-        if (key.rfind(set + "_", 0) != 0) continue;
-        const std::string name = key.substr(set.size() + 1);
-        row(name == "cells" ? "queries" : name,
-            [&](std::size_t i) { return textOf(results.figures[i][key]); });
-    }
-}
-
-void writeJson(const Contest& contest, const Results& results, const std::string& file) {
-    nlohmann::ordered_json json{{"scans", contest.scans},
-                                {"scans_held_out", contest.held_out_scans},
-                                {"queries", results.figures.front()["all_cells"]}};
-    for (std::size_t i = 0; i < results.maps.size(); i++)
-        json[results.maps[i].name] = results.figures[i];
-    writeWhole(file, json.dump(2) + "\n");
-}
-
-void run(const HoldoutRequest& request) {
-    Contest contest(request.map);
+void check(const HoldoutRequest& request) {
     checkInputOptions(request.input);
     if (request.every < 2)
         throw std::runtime_error("--every must be at least 2: the map needs scans too");
+    const bool is_held_out = request.folds == "all" || request.depth_scan % request.every == 0;
+    if (!is_held_out)
+        throw std::runtime_error("--depth-scan " + std::to_string(request.depth_scan) +
+                                 ": with --every " + std::to_string(request.every) +
+                                 " this scan is not held out");
     std::vector<std::string> read = request.input.inputs;
     read.insert(read.end(), {request.map.config, request.input.trajectory});
-    checkOutputs({request.json, request.roc, request.calibration}, read);
+    checkOutputs({request.json, request.roc, request.calibration, request.depth_picture}, read);
     for (const std::string& plot : {request.roc, request.calibration})
         if (!plot.empty()) checkPlottable(plot);
+    const std::string& picture = request.depth_picture;
+    if (!picture.empty() && std::filesystem::path(picture).extension() != ".png")
+        throw std::runtime_error(picture + ": the depth picture is a .png");
+}
 
+void plotCurves(const ContestResult& result, const HoldoutRequest& request) {
+    if (request.roc.empty() && request.calibration.empty()) return;
+    std::vector<Judgement> maps;
+    for (std::size_t i = 0; i < result.maps.size(); i++)
+        maps.push_back(judge(result.maps[i].name, scoredCells(result.answers, i)));
+    if (!request.roc.empty()) writeFigure(rocFigure(maps), request.roc);
+    if (!request.calibration.empty()) writeFigure(calibrationFigure(maps), request.calibration);
+}
+
+void run(const HoldoutRequest& request) {
+    const AkiMap configured = makeMapFor(request.map);
+    check(request);
     ScanFeed feed(request.input);
-    const auto take = [&](const Scan& scan, uint64_t number) {
-        takeScan(contest, raysOf(scan), isHeldOut(number, request.every));
+    const bool with_free = configured.insertionOptions.beyond_max_range == BeyondMaxRange::free;
+    const Recording recording = [&](const auto& take) {
+        feed.forEachScan([&](const Scan& scan, uint64_t) { take(raysOf(scan, with_free)); },
+                         !request.quiet);
     };
-    feed.forEachScan(take, !request.quiet);
-    if (contest.scans < request.every)
-        throw std::runtime_error(std::to_string(contest.scans) + " scans in the inputs: with " +
-                                 "--every " + std::to_string(request.every) + " none is held out");
-    if (contest.akimap.isEmpty())
-        throw std::runtime_error("nothing usable in the scans that are not held out");
-    const Results all = results(contest);
-    if (!request.roc.empty()) writeFigure(rocFigure(all.maps), request.roc);
-    if (!request.calibration.empty()) writeFigure(calibrationFigure(all.maps), request.calibration);
-    if (!request.json.empty()) writeJson(contest, all, request.json);
-    if (request.quiet) return;
-    std::cout << contest.scans << " scans, " << contest.held_out_scans << " of them held out\n\n";
-    printTable("known", all, std::cout);
-    std::cout << "\n";
-    printTable("all", all, std::cout);
+    const ContestResult result =
+        holdContest(recording, standardEntrants(configured), rulesOf(request, configured));
+    if (!request.json.empty()) writeWhole(request.json, toJson(result).dump(2) + "\n");
+    if (!request.quiet) printTable(result, std::cout);
+    plotCurves(result, request);
+    if (!request.depth_picture.empty()) writeDepthPicture(result, request.depth_picture);
+}
+
+void addOutputOptions(CLI::App& command, HoldoutRequest& request) {
+    const auto add = [&](const char* flag, auto& value, const char* help) {
+        return command.add_option(flag, value, help)->group(kOutputGroup);
+    };
+    auto* picture = add("--depth-picture", request.depth_picture,
+                        "Draw a held-out scan (.png): its depth, the depth by each map, and where "
+                        "they differ: early red, missed blue");
+    add("--depth-scan", request.depth_scan,
+        "Its number, counted from 1; 0: the one in the middle of those held out")
+        ->check(kWholeNumber)
+        ->needs(picture)
+        ->type_name("N");
+    add("--roc", request.roc, "Draw the ROC curves (.png or .svg)");
+    add("--calibration", request.calibration, "Draw the reliability diagram (.png or .svg)");
+    add("--json", request.json, "Write the figures to this file too");
+    command.add_flag("--quiet", request.quiet, "No progress bar and no table")->group(kOutputGroup);
 }
 
 }  // namespace
@@ -145,13 +138,7 @@ void run(const HoldoutRequest& request) {
 void addHoldout(CLI::App& app) {
     auto* command = app.add_subcommand(
         "holdout", "Judge maps without a truth: by scans that are held out from them");
-    command->footer(
-        "The map is built from the other scans. Each held-out ray within the range limits then\n"
-        "asks for its end, which is occupied, and for one place every 0.5 m up to 0.2 m before\n"
-        "it, which are free. known: where the map has evidence, each map by its own; all: with\n"
-        "an occupancy of 0.5 elsewhere. Beside it stand the same map with --bandwidth isotropic\n"
-        "and MRPT's COctoMap (its defaults, the same cells and points), from the same scans.\n"
-        "mse is the Brier score.");
+    command->footer(kFooter);
     const auto request = std::make_shared<HoldoutRequest>();
     addInputOptions(*command, request->input);
     command
@@ -160,17 +147,13 @@ void addHoldout(CLI::App& app) {
         ->check(kWholeNumber)
         ->type_name("N")
         ->group(kInputGroup);
-    addMapOptions(*command, request->map);
-    command->add_option("--roc", request->roc, "Draw the ROC curves (.png or .svg)")
-        ->group(kOutputGroup);
     command
-        ->add_option("--calibration", request->calibration,
-                     "Draw the reliability diagram (.png or .svg)")
-        ->group(kOutputGroup);
-    command->add_option("--json", request->json, "Write the figures to this file too")
-        ->group(kOutputGroup);
-    command->add_flag("--quiet", request->quiet, "No progress bar and no table")
-        ->group(kOutputGroup);
+        ->add_option("--folds", request->folds,
+                     "all: hold out each scan once, one in N at a time; one: scans N, 2 N, ...")
+        ->check(CLI::IsMember({"one", "all"}))
+        ->group(kInputGroup);
+    addMapOptions(*command, request->map);
+    addOutputOptions(*command, *request);
     command->callback([request] { run(*request); });
 }
 

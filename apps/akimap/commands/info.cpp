@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "grid/BlockGrid.h"
 #include "mapping/config.h"
 #include "pictures/MapCells.h"
 
@@ -25,13 +26,8 @@ Contents contentsOf(const AkiMap& map) {
     const MapCells cells = cellsOf(map, 0.5);
     const CellIndex &low = cells.lowest, &high = cells.highest;
     const double side = map.resolution();
-    Contents c{cells.occupied.size(),
-               cells.free.size(),
-               map.grid().blockCount(),
-               map.grid().memoryBytes(),
-               0,
-               {},
-               {}};
+    Contents c{
+        cells.occupied.size(), cells.free.size(), map.blockCount(), map.memoryBytes(), 0, {}, {}};
     if (map.isEmpty()) return c;
     c.unknown = (high.x - low.x + 1.0) * (high.y - low.y + 1.0) * (high.z - low.z + 1.0) -
                 static_cast<double>(c.occupied + c.free);

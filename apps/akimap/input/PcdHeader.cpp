@@ -121,6 +121,10 @@ void readPointCount(const Entries& entries, PcdHeader& header) {
         const std::size_t width = require(entries, "WIDTH").number(0, kMaxPoints);
         const Entry* height_entry = find(entries, "HEIGHT");
         const std::size_t height = height_entry ? height_entry->number(0, 1u << 20) : 1;
+        if (height > 0 && width > kMaxPoints / height)
+            require(entries, "WIDTH")
+                .refuse("WIDTH times HEIGHT is more than " + std::to_string(kMaxPoints) +
+                        " points");
         if (!points) header.points = width * height;
         if (header.points != width * height) points->refuse("POINTS is not WIDTH times HEIGHT");
     }

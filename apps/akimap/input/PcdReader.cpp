@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "input/PcdReader.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -95,7 +96,8 @@ std::vector<Ray> readAscii(OpenPcd& pcd) {
 
 std::vector<Ray> readBinary(OpenPcd& pcd) {
     const PcdHeader& h = pcd.header;
-    constexpr std::size_t points_at_once = 16384;
+    // No more than there are: a point may claim a megabyte, and only their sum is in the file.
+    const std::size_t points_at_once = std::min<std::size_t>(16384, h.points);
     std::vector<uint8_t> buffer(points_at_once * h.point_size);
     std::vector<Ray> rays(h.points, Ray{h.origin, {}});
     for (std::size_t first = 0; first < h.points; first += points_at_once) {

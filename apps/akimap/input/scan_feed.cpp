@@ -145,12 +145,19 @@ std::string ScanFeed::wrongLabelHint() const {
     return "--only " + request_.only_label + ", but the sensors are: " + labels;
 }
 
-std::vector<Ray> raysOf(const Scan& scan) {
+bool insertScan(AkiMap& map, const Scan& scan) {
+    if (!scan.observation) return map.insertRays(scan.rays);
+    if (!scan.motion) return map.insertObservation(*scan.observation, scan.robot_pose);
+    return map.insertMovingObservation(
+        *scan.observation, [&](mrpt::Clock::time_point time) { return scan.motion->at(time); });
+}
+
+std::vector<Ray> raysOf(const Scan& scan, bool with_free) {
     if (!scan.observation) return scan.rays;
     const auto pose_at = [&](mrpt::Clock::time_point time) {
         return scan.motion ? scan.motion->at(time) : std::optional(scan.robot_pose);
     };
-    return akimap::raysOf(*scan.observation, pose_at, scan.motion != nullptr)
+    return akimap::raysOf(*scan.observation, pose_at, scan.motion != nullptr, with_free)
         .value_or(std::vector<Ray>());
 }
 

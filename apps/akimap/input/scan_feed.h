@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <akimap/AkiMap.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
@@ -62,7 +64,10 @@ class ScanFeed {
     SkippedScans skipped_;
 };
 
-/** The rays that a map makes of a scan, usable or not. */
-[[nodiscard]] std::vector<Ray> raysOf(const Scan& scan);
+/** Inserts a scan as `akimap build` does. \return whether the map changed */
+bool insertScan(AkiMap& map, const Scan& scan);
+
+/** A scan as rays, usable or not. \param with_free beams without a return too, where it has them */
+[[nodiscard]] std::vector<Ray> raysOf(const Scan& scan, bool with_free);
 
 }  // namespace akimap::app

@@ -41,13 +41,6 @@ double stampOf(const Scan& scan, uint64_t number, double rate) {
     return mrpt::Clock::toDouble(scan.observation->timestamp);
 }
 
-bool insertScan(AkiMap& map, const Scan& scan) {
-    if (!scan.observation) return map.insertRays(scan.rays);
-    if (!scan.motion) return map.insertObservation(*scan.observation, scan.robot_pose);
-    return map.insertMovingObservation(
-        *scan.observation, [&](mrpt::Clock::time_point time) { return scan.motion->at(time); });
-}
-
 /** Inserts the scans, and counts. */
 void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, BuildReport& report) {
     if (request.realtime) report.realtime.emplace();
@@ -87,7 +80,7 @@ void buildMap(const BuildRequest& request) {
     if (map.isEmpty()) refuseNothing(report, feed);
 
     report.cells = map.cellCount();
-    report.map_bytes = map.grid().memoryBytes();
+    report.map_bytes = map.memoryBytes();
     for (const std::string& target : request.exports) exportMap(map, target);
     map.saveToFile(request.output);  // last: what the exports refuse leaves an older map as it was
     report.peak_rss_bytes = peakMemoryBytes();

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <ostream>
 
+#include "quantile.h"
 #include "support/AtomicFile.h"
 
 namespace akimap::app {
@@ -35,14 +36,6 @@ double sumOf(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-    const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(values.size())));
-    const auto nth =
-        values.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(rank, 1) - 1);
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
-}
 
 std::vector<SkipCount> skipCounts(const BuildReport& report) {
     const InsertionStats& s = report.insertion;

@@ -36,10 +36,6 @@ struct SkipCount {
 /** All skip counters, zero or not, and one for each unusable class that was seen. */
 [[nodiscard]] std::vector<SkipCount> skipCounts(const BuildReport& report);
 
-/** The q-quantile by nearest rank: the least of the values that at least the share q of them does
- * not exceed. \pre there are values; 0 < q <= 1 */
-[[nodiscard]] double quantile(std::vector<double> values, double q);
-
 /** An aligned table for people, with the counters that are not zero. */
 void printTable(const BuildReport& report, std::ostream& out);
 

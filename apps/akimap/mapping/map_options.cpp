@@ -29,18 +29,38 @@ OptionText describedAs(const std::string& key) {
     throw std::logic_error("no option " + key);
 }
 
-/** Adds an option for a field of the insertion options, with their comment and default. */
-template <class T>
+template <class T, class Owner>
+void set(MapRequest& request, T Owner::*field, const T& value) {
+    request.settings.emplace_back([field, value](AkiMap::TMapDefinition& definition) {
+        definition.insertionOpts.*field = value;
+    });
+}
+
+/** Adds an option for a field of the insertion options, with their comment and default. It means
+ * what its key in an INI means: no option sets another one. */
+template <class T, class Owner>
 void addSetting(CLI::App& command, MapRequest& request, const std::string& flag,
-                const std::string& key, T InsertionParameters::*field) {
+                const std::string& key, T Owner::*field) {
     const OptionText text = describedAs(key);
-    const auto set = [&request, field](const T& value) {
-        request.settings.emplace_back([field, value](AkiMap::TMapDefinition& definition) {
-            definition.insertionOpts.*field = value;
-        });
-    };
-    command.add_option_function<T>(flag, set, text.comment)
+    const auto take = [&request, field](const T& value) { set(request, field, value); };
+    command.add_option_function<T>(flag, take, text.comment)
         ->check(std::is_unsigned_v<T> ? CLI::Validator(kWholeNumber) : CLI::Validator())
+        ->default_str(text.value)
+        ->group(kMapGroup);
+}
+
+/** The same for one of several names. */
+template <class Enum, class Owner>
+void addChoice(CLI::App& command, MapRequest& request, const std::string& flag,
+               const std::string& key, const std::map<std::string, Enum>& names,
+               Enum Owner::*field) {
+    const OptionText text = describedAs(key);
+    const auto take = [&request, &names, field](const std::string& name) {
+        set(request, field, names.at(name));
+    };
+    command.add_option_function<std::string>(flag, take, text.comment)
+        ->check(CLI::IsMember(names))
+        ->type_name("NAME")
         ->default_str(text.value)
         ->group(kMapGroup);
 }
@@ -65,37 +85,14 @@ void addMapOptions(CLI::App& command, MapRequest& request) {
         ->group(kMapGroup);
     addSetting(command, request, "--max-range", "max_range", &InsertionParameters::max_range);
     addSetting(command, request, "--min-range", "min_range", &InsertionParameters::min_range);
+    addSetting(command, request, "--threads", "threads", &InsertionParameters::threads);
+    addChoice(command, request, "--estimator", "estimator", kEstimators,
+              &InsertionParameters::estimator);
+    addChoice(command, request, "--bandwidth", "bandwidth", kBandwidths,
+              &InsertionParameters::bandwidth);
     addSetting(command, request, "--isotropic-length", "isotropic_length",
                &InsertionParameters::isotropic_length);
     addSetting(command, request, "--seed", "seed", &InsertionParameters::seed);
-    addSetting(command, request, "--threads", "threads", &InsertionParameters::threads);
-
-    const OptionText estimator = describedAs("estimator");
-    const auto set_estimator = [&request](const std::string& name) {
-        request.settings.emplace_back([value = kEstimators.at(name)](auto& definition) {
-            definition.insertionOpts.estimator = value;
-        });
-    };
-    command.add_option_function<std::string>("--estimator", set_estimator, estimator.comment)
-        ->check(CLI::IsMember(kEstimators))
-        ->type_name("NAME")
-        ->default_str(estimator.value)
-        ->group(kMapGroup);
-
-    const OptionText bandwidth = describedAs("bandwidth");
-    const auto set_bandwidth = [&request](const std::string& name) {
-        request.settings.emplace_back([value = kBandwidths.at(name)](auto& definition) {
-            definition.insertionOpts.bandwidth = value;
-            definition.insertionOpts.estimator = Estimator::paper;  // which alone has bandwidths
-        });
-    };
-    command
-        .add_option_function<std::string>("--bandwidth", set_bandwidth,
-                                          bandwidth.comment + ". Implies --estimator paper")
-        ->check(CLI::IsMember(kBandwidths))
-        ->type_name("NAME")
-        ->default_str(bandwidth.value)
-        ->group(kMapGroup);
 }
 
 AkiMap makeMapFor(const MapRequest& request) {

@@ -22,9 +22,10 @@ struct OccupiedCell {
 
 std::vector<OccupiedCell> occupiedCells(const AkiMap& map, double threshold) {
     std::vector<OccupiedCell> cells;
-    map.forEachCell([&](const mrpt::math::TPoint3D& center, const CellState& cell) {
-        if (const double p = cell.occupancy(); p > threshold)
-            cells.push_back({center.cast<float>(), static_cast<float>(p)});
+    map.forEachCell([&](const Cell& cell) {
+        if (const double p = cell.state.occupancy(); p > threshold)
+            cells.push_back({mrpt::math::TPoint3D(cell.x, cell.y, cell.z).cast<float>(),
+                             static_cast<float>(p)});
     });
     return cells;
 }

@@ -25,11 +25,11 @@ void writeCsv(const AkiMap& map, const std::string& path) {
     std::ofstream out = openForWriting(path);
     out << "x,y,z,occupancy,alpha,beta\n";
     std::string row;
-    map.forEachCell([&](const mrpt::math::TPoint3D& center, const CellState& cell) {
+    map.forEachCell([&](const Cell& c) {
         row.clear();
-        for (const double v : {center.x, center.y, center.z, cell.occupancy(), cell.alpha})
+        for (const double v : {c.x, c.y, c.z, c.state.occupancy(), c.state.alpha})
             append(row, v, ',');
-        append(row, cell.beta, '\n');
+        append(row, c.state.beta, '\n');
         out << row;
     });
     closeWritten(out);

@@ -6,27 +6,27 @@
 #include <functional>
 #include <sstream>
 
+#include "evaluation/octomap_file.h"
 #include "output/binary_tree.h"
 #include "output/formats.h"
+#include "pictures/CellSet.h"
 #include "support/stream.h"
 
 namespace akimap::app {
 
 namespace {
 
-constexpr int32_t kHalf = 32768;  // OctoMap's keys have 16 bits, with cell 0 in the middle
-
-octomap::OcTreeKey keyOf(const AkiMap& map, const mrpt::math::TPoint3D& center) {
-    const CellIndex c = map.grid().cellAt(center.x, center.y, center.z);
+octomap::OcTreeKey keyOf(const Cell& cell) {
+    const CellIndex c = indexOf(cell);
     for (const int32_t i : {c.x, c.y, c.z})
-        if (i < -kHalf || i >= kHalf) {
+        if (i < -kOctoMapHalf || i >= kOctoMapHalf) {
             std::ostringstream why;
-            why << "an OctoMap tree of " << map.resolution() << " m cells ends at +-"
-                << kHalf * map.resolution() << " m, and the map has a cell at " << center.x << ", "
-                << center.y << ", " << center.z;
+            why << "an OctoMap tree of " << cell.size << " m cells ends at +-"
+                << kOctoMapHalf * cell.size << " m, and the map has a cell at " << cell.x << ", "
+                << cell.y << ", " << cell.z;
             throw std::runtime_error(why.str());
         }
-    const auto key = [](int32_t i) { return static_cast<octomap::key_type>(i + kHalf); };
+    const auto key = [](int32_t i) { return static_cast<octomap::key_type>(i + kOctoMapHalf); };
     return {key(c.x), key(c.y), key(c.z)};
 }
 
@@ -36,9 +36,9 @@ void fillTree(octomap::OcTree& tree, const AkiMap& map,
     tree.setClampingThresMin(kMinOccupancy);
     tree.setClampingThresMax(1 - kMinOccupancy);
     constexpr bool kInnerNodesLater = true;
-    map.forEachCell([&](const mrpt::math::TPoint3D& center, const CellState& cell) {
-        const double value = valueOf(cell.occupancy());
-        tree.setNodeValue(keyOf(map, center), octomap::logodds(value), kInnerNodesLater);
+    map.forEachCell([&](const Cell& cell) {
+        const double value = valueOf(cell.state.occupancy());
+        tree.setNodeValue(keyOf(cell), octomap::logodds(value), kInnerNodesLater);
     });
     tree.updateInnerOccupancy();
     tree.prune();

@@ -2,10 +2,11 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
+#include <akimap/Cell.h>
+#include <akimap/InsertionStats.h>
 #include <akimap/Options.h>
 #include <akimap/Ray.h>
-#include <akimap/SurfaceCache.h>
+#include <akimap/rays.h>
 #include <mrpt/maps/CMetricMap.h>
 #include <mrpt/math/TBoundingBox.h>
 #include <mrpt/math/TPoint3D.h>
@@ -23,31 +24,9 @@
 
 namespace akimap {
 
-/** What insertions did since the map was made or cleared; not part of the map's state. */
-struct InsertionStats {
-    uint64_t scans = 0;              ///< insertions that changed the map
-    uint64_t rays = 0;               ///< returns offered
-    uint64_t points = 0;             ///< returns used: finite and within the ranges
-    uint64_t dropped_nonfinite = 0;  ///< a coordinate of the end or the origin is NaN or infinite
-    uint64_t dropped_zero = 0;       ///< zero-length rays
-    uint64_t free_beams = 0;         ///< met nothing up to max_range and carved free space
-    uint64_t dropped_range = 0;      ///< nearer than min_range, or beyond max_range and not free
-    uint64_t dropped_grid = 0;       ///< outside the cells that can be addressed
-    uint64_t dropped_poses =
-        0;  ///< scans, or packets of one, taken when the robot's pose was unknown
-    uint64_t samples_occupied = 0, samples_free = 0;  ///< after thinning
-    double seconds_sampling = 0, seconds_bandwidth = 0, seconds_update = 0;
-};
-
-/** The posterior of a cell, Eq. (2)-(4), prior included. */
-struct CellState {
-    double alpha = 0, beta = 0;
-    [[nodiscard]] double occupancy() const { return alpha / (alpha + beta); }  ///< Eq. (4)
-    [[nodiscard]] double variance() const {  ///< of the Beta distribution of the occupancy
-        const double n = alpha + beta;
-        return alpha * beta / (n * n * (n + 1));
-    }
-};
+class BlockGrid;
+class SurfacePoints;
+struct AkiMapImpl;
 
 #if MRPT_VERSION >= 0x020b03
 using NearestNeighborsInterface = mrpt::maps::NearestNeighborsCapable;
@@ -55,15 +34,18 @@ using NearestNeighborsInterface = mrpt::maps::NearestNeighborsCapable;
 struct NearestNeighborsInterface {};  // AkiMap's nn_ functions are there all the same
 #endif
 
-/** Dense and sharp 3D occupancy map by adaptive kernel inference (Kwon, Moon and Yoon, AKIMap).
+/** Dense and sharp 3D occupancy map: a Beta distribution for each cell, learnt from scans.
  *
- * Each return adds an occupied sample and free samples along its ray; each sample spreads its
- * evidence over the cells inside an ellipsoid shaped by its neighbours. A cell *has evidence*
- * once a kernel has reached its centre; all others are unknown.
+ * Each scan adds evidence to the cells: `insertionOptions.estimator` says how. By default
+ * (`surface`, doc/design.md) a surface is fitted around each return, which makes the cells near it
+ * occupied, and the space around its ray free. `paper` is adaptive kernel inference (Kwon, Moon and
+ * Yoon, AKIMap): each return adds an occupied sample and free samples along its ray, and each
+ * sample spreads its evidence over an ellipsoid shaped by its neighbours. A cell *has evidence*
+ * once a scan has reached its centre; all others are unknown.
  *
  * Frames: rays are in the map frame; observations are placed by robotPose (+) sensorPose.
- * Threads: concurrent const calls are safe; insertions, clear() and loading must be alone.
- * For a given seed the map's bits do not depend on the number of threads. */
+ * Threads: concurrent const calls are safe; insertions, clear(), loading, assignment and changes of
+ * options must be alone. For a given seed the map's bits do not depend on the number of threads. */
 class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     DEFINE_SERIALIZABLE(AkiMap, akimap)
  public:
@@ -84,37 +66,38 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     akimap::TRenderingOptions renderingOpts;
     MAP_DEFINITION_END(AkiMap)
 
-    /** Inserts one scan given as rays [m], map frame. Unusable rays are skipped and counted.
-     * \return whether the map changed
-     * \exception std::invalid_argument if insertionOptions are invalid, std::bad_alloc;
-     * the map is unchanged then */
+    /** Inserts one scan given as rays [m], map frame. Unusable rays are skipped and counted. Scans
+     * are numbered as they are offered; the number is part of the map. \return whether the map
+     * changed \exception std::invalid_argument if insertionOptions are invalid, std::bad_alloc; the
+     * map is unchanged then */
     bool insertRays(const std::vector<Ray>& rays);
 
-    /** The robot's pose in the map at a time; empty where it is not known. */
-    using RobotPoseAt = std::function<std::optional<mrpt::poses::CPose3D>(mrpt::Clock::time_point)>;
+    using RobotPoseAt = akimap::RobotPoseAt;
     /** Like insertObservation(), for a robot that moved during the scan: each Velodyne packet is
      * placed, and its rays begin, where the sensor was when it was taken; packets at times of
      * unknown pose are skipped. Other observations are placed by the pose at their timestamp.
      * \return whether the map changed */
     bool insertMovingObservation(const mrpt::obs::CObservation& obs,
                                  const RobotPoseAt& robot_pose_at);
-    [[nodiscard]] const InsertionStats& stats() const { return stats_; }
+    [[nodiscard]] const InsertionStats& stats() const;
+    /** The insertion options as they are used at this cell size: with what 0 stands for filled in,
+     * and clamped values clamped. */
+    [[nodiscard]] InsertionParameters optionsInForce() const;
 
     /** Removes all cells and takes a new cell size [m]. */
     void setResolution(double resolution);
-    [[nodiscard]] double resolution() const { return grid_.resolution(); }  ///< [m]
+    [[nodiscard]] double resolution() const;  ///< [m]
 
     /** The cell that holds the point [m]; empty where nothing is known. */
     [[nodiscard]] std::optional<CellState> cell(double x, double y, double z) const;
     /** Probability that the cell that holds the point [m] is occupied, Eq. (4). */
     [[nodiscard]] std::optional<double> occupancy(double x, double y, double z) const;
 
-    /** Calls visit(TPoint3D center, CellState) for each cell with evidence, in a fixed order. */
+    /** Calls visit(const Cell&) for each cell with evidence, in a fixed order. */
     template <class Visitor>
     void forEachCell(Visitor&& visit) const {
-        grid_.forEachCell([&](const CellIndex& c, float a, float b) {
-            visit(mrpt::math::TPoint3D(grid_.center(c.x), grid_.center(c.y), grid_.center(c.z)),
-                  CellState{a + insertionOptions.prior_alpha, b + insertionOptions.prior_beta});
+        visitCells([&](const Cell* cells, std::size_t n) {
+            for (std::size_t i = 0; i < n; i++) visit(cells[i]);
         });
     }
     /** Centres [m] of the cells whose occupancy is above the threshold. */
@@ -122,14 +105,17 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     /** Where the surfaces are [m]: a point for each occupied cell, off its centre where the
      * evidence in and around it is. What matching and the nearest-neighbour search see. */
     [[nodiscard]] std::vector<mrpt::math::TPoint3Df> surfacePoints() const;
-    [[nodiscard]] std::size_t cellCount() const { return grid_.countCells(); }
-    [[nodiscard]] const BlockGrid& grid() const { return grid_; }
+    [[nodiscard]] std::size_t cellCount() const;    ///< cells with evidence; visits all
+    [[nodiscard]] std::size_t blockCount() const;   ///< blocks of 8^3 cells
+    [[nodiscard]] std::size_t memoryBytes() const;  ///< of blocks, index and slack
+    /** The cells' sums; an internal class, for what is built with the library. */
+    [[nodiscard]] const BlockGrid& grid() const;
 
     /** Box [m] around the cells with evidence; all zeros when empty. */
     [[nodiscard]] mrpt::math::TBoundingBoxf boundingBox() const;
 
     // The MRPT interface ------------------------------------------------------------------
-    [[nodiscard]] bool isEmpty() const override { return grid_.isEmpty(); }
+    [[nodiscard]] bool isEmpty() const override;
     [[nodiscard]] std::string asString() const override;
     void getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const override;
     /** Writes `<prefix>_3D.3Dscene` and `<prefix>.akimap`. */
@@ -202,8 +188,6 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     /** \exception std::runtime_error naming the file if it is missing, damaged or no AkiMap */
     static AkiMap::Ptr loadFromFile(const std::string& file);
 
-    struct Scratch;  ///< buffers kept between scans; not part of the map's state
-
  private:
     void internal_clear() override;
     bool internal_insertObservation(
@@ -219,13 +203,9 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     void readFormat1Or2(mrpt::serialization::CArchive& in, uint8_t version);
 
     [[nodiscard]] const SurfacePoints& surface() const;
+    void visitCells(const std::function<void(const Cell*, std::size_t)>& visit) const;
 
-    BlockGrid grid_;
-    ScanIndex scan_index_;  // with the seed, the whole random state
-    mutable SurfaceCache surface_cache_;
-    InsertionStats stats_;
-    std::unique_ptr<Scratch> scratch_;
-    const RobotPoseAt* moving_pose_ = nullptr;  // set during insertMovingObservation()
+    std::unique_ptr<AkiMapImpl> impl_;
 };
 
 /** Registers the classes with MRPT. Loading the library does it too, but a linker that drops

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <akimap/AkiMap.h>
+#include <akimap/Cell.h>
 
 #include <optional>
 #include <vector>
@@ -11,25 +12,8 @@ namespace akimap {
 
 // What planners ask a map. All are const-thread-safe; lengths are in metres, map frame.
 
-/** What is known of a cell. */
-enum class CellKind {
-    unknown,     ///< no evidence
-    free,        ///< more than three times as much evidence for free as for occupied
-    occupied,    ///< the other way round
-    conflicting  ///< anything between
-};
-[[nodiscard]] CellKind kindOf(const std::optional<CellState>& cell);
-
-/** Probability that the cell's occupancy exceeds the threshold: 1 - I_threshold(alpha, beta), the
- * regularized incomplete beta function. \param threshold in (0, 1) */
-[[nodiscard]] double probabilityAbove(const CellState& cell, double threshold);
-
-/** Of a place that has to be free: the probability that its cell's occupancy is below the
- * threshold; one half where nothing is known. */
-[[nodiscard]] double confidenceInFree(const std::optional<CellState>& cell, double threshold);
-
 /** A place on a way and how sure the map is that it is free there. */
-struct Doubt {
+struct FreeConfidence {
     mrpt::math::TPoint3D place;
     double confidence = 1;  ///< confidenceInFree()
 };
@@ -37,7 +21,7 @@ struct Doubt {
 /** What a ray meets. */
 struct RayCast {
     std::optional<double> hit;  ///< [m] from the origin to where it enters the first occupied cell
-    Doubt least_sure;           ///< before the hit; the origin if nothing is before it
+    FreeConfidence least_sure;  ///< before the hit; the origin if nothing is before it
 };
 /** The cells along a ray, one after the other (Amanatides and Woo 1987).
  * \param direction need not be of unit length
@@ -51,7 +35,7 @@ struct RayCast {
 /** Whether a sphere can move along a path of straight pieces. */
 struct SweptPath {
     std::optional<mrpt::math::TPoint3D> collision;  ///< the first occupied cell's centre
-    Doubt least_sure;                               ///< of all cells that the sphere touches
+    FreeConfidence least_sure;                      ///< of all cells that the sphere touches
 };
 /** Looks at every cell that the sphere touches, piece by piece in the path's order.
  * \param path at least one place \param radius >= 0

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <akimap/BlockGrid.h>
+#include "grid/BlockGrid.h"
 
 #include <algorithm>
 #include <atomic>

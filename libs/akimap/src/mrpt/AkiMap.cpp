@@ -7,11 +7,11 @@
 #include <limits>
 #include <sstream>
 
-#include "mrpt/Scratch.h"
+#include "mrpt/Impl.h"
 
 namespace akimap {
 
-AkiMap::AkiMap(double resolution) : grid_(resolution) {}
+AkiMap::AkiMap(double resolution) : impl_(std::make_unique<AkiMapImpl>(resolution)) {}
 AkiMap::~AkiMap() = default;
 
 AkiMap::AkiMap(const AkiMap& o)
@@ -19,19 +19,16 @@ AkiMap::AkiMap(const AkiMap& o)
       insertionOptions(o.insertionOptions),
       likelihoodOptions(o.likelihoodOptions),
       renderingOptions(o.renderingOptions),
-      grid_(o.grid_),
-      scan_index_(o.scan_index_),
-      stats_(o.stats_) {}
+      impl_(std::make_unique<AkiMapImpl>(*o.impl_)) {}
 
 AkiMap& AkiMap::operator=(const AkiMap& o) {
     if (this == &o) return *this;
+    BlockGrid grid = o.impl_->grid;  // may run out of memory: before anything changes
     mrpt::maps::CMetricMap::operator=(o);
     insertionOptions = o.insertionOptions;
     likelihoodOptions = o.likelihoodOptions;
     renderingOptions = o.renderingOptions;
-    grid_ = o.grid_;
-    scan_index_ = o.scan_index_;
-    stats_ = o.stats_;
+    impl_->setState(std::move(grid), o.impl_->next_scan, o.impl_->stats);
     return *this;
 }
 
@@ -40,25 +37,53 @@ void AkiMap::internal_clear() {
 }
 
 void AkiMap::auxParticleFilterCleanUp() {
-    surface_cache_.drop();
-    scratch_.reset();
+    impl_->surface.drop();
+    impl_->estimator.reset();
 }
 
 void AkiMap::setResolution(double resolution) {
-    grid_ = BlockGrid(resolution);
-    scan_index_ = 0;
-    stats_ = {};
+    impl_->setState(BlockGrid(resolution), 0, {});
+}
+
+double AkiMap::resolution() const {
+    return impl_->grid.resolution();
+}
+const BlockGrid& AkiMap::grid() const {
+    return impl_->grid;
+}
+const InsertionStats& AkiMap::stats() const {
+    return impl_->stats;
+}
+bool AkiMap::isEmpty() const {
+    return impl_->grid.isEmpty();
+}
+std::size_t AkiMap::cellCount() const {
+    return impl_->grid.countCells();
+}
+std::size_t AkiMap::blockCount() const {
+    return impl_->grid.blockCount();
+}
+std::size_t AkiMap::memoryBytes() const {
+    return impl_->grid.memoryBytes();
+}
+
+void AkiMap::visitCells(const std::function<void(const Cell*, std::size_t)>& visit) const {
+    constexpr std::size_t kAtOnce = 256;
+    std::vector<Cell> cells;
+    cells.reserve(kAtOnce);
+    const auto flush = [&] {
+        visit(cells.data(), cells.size());
+        cells.clear();
+    };
+    akimap::forEachCell(viewOf(*this), [&](const Cell& c) {
+        cells.push_back(c);
+        if (cells.size() == kAtOnce) flush();
+    });
+    flush();
 }
 
 std::optional<CellState> AkiMap::cell(double x, double y, double z) const {
-    if (!grid_.hasCell(x, y, z)) return std::nullopt;
-    const CellIndex c = grid_.cellAt(x, y, z);
-    const Block* block = grid_.find(BlockGrid::blockOf(c));
-    const int i = BlockGrid::offsetOf(c);
-    if (!block || !block->hasEvidence(i)) return std::nullopt;
-    const auto at = static_cast<std::size_t>(i);
-    return CellState{block->alpha[at] + insertionOptions.prior_alpha,
-                     block->beta[at] + insertionOptions.prior_beta};
+    return viewOf(*this).cell(x, y, z);
 }
 
 std::optional<double> AkiMap::occupancy(double x, double y, double z) const {
@@ -68,32 +93,32 @@ std::optional<double> AkiMap::occupancy(double x, double y, double z) const {
 
 std::vector<mrpt::math::TPoint3Df> AkiMap::occupiedCells(double threshold) const {
     std::vector<mrpt::math::TPoint3Df> centers;
-    forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
-        if (s.occupancy() > threshold) centers.emplace_back(p.cast<float>());
+    forEachCell([&](const Cell& c) {
+        if (c.state.occupancy() > threshold)
+            centers.emplace_back(static_cast<float>(c.x), static_cast<float>(c.y),
+                                 static_cast<float>(c.z));
     });
     return centers;
 }
 
 mrpt::math::TBoundingBoxf AkiMap::boundingBox() const {
     if (isEmpty()) return {};
-    constexpr int32_t kMost = std::numeric_limits<int32_t>::max();
-    CellIndex low{kMost, kMost, kMost}, high{-kMost, -kMost, -kMost};
-    grid_.forEachCell([&](const CellIndex& c, float, float) {
-        low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-        high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+    constexpr double kMost = std::numeric_limits<double>::max();
+    mrpt::math::TPoint3D low(kMost, kMost, kMost), high(-kMost, -kMost, -kMost);
+    forEachCell([&](const Cell& c) {
+        const double half = c.size / 2, center[3] = {c.x, c.y, c.z};
+        for (std::size_t i = 0; i < 3; i++) {
+            low[i] = std::min(low[i], center[i] - half);
+            high[i] = std::max(high[i], center[i] + half);
+        }
     });
-    const auto corner = [&](const CellIndex& c, double up) {
-        return mrpt::math::TPoint3D(grid_.center(c.x) + up, grid_.center(c.y) + up,
-                                    grid_.center(c.z) + up)
-            .cast<float>();
-    };
-    return {corner(low, -resolution() / 2), corner(high, resolution() / 2)};
+    return {low.cast<float>(), high.cast<float>()};
 }
 
 std::string AkiMap::asString() const {
     std::ostringstream text;
     text << "akimap::AkiMap, resolution=" << resolution() << " m, cells=" << cellCount()
-         << ", memory=" << grid_.memoryBytes() << " bytes";
+         << ", memory=" << memoryBytes() << " bytes";
     return text.str();
 }
 

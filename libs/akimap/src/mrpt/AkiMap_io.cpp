@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 // doc/format.md says what is in a map's file and stream.
-#include <akimap/AkiMap.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 
 #include "grid/grid_sections.h"
 #include "grid/named_values.h"
+#include "mrpt/Impl.h"
 #include "mrpt/mrpt_compat.h"
 #include "support/AtomicFile.h"
 #include "support/gz.h"
@@ -96,14 +96,14 @@ void AkiMap::serializeTo(CArchive& out) const {
     writeTextSection(
         write, kHeadTag, Need::required,
         lineOf({"resolution", numberText(resolution()), true}) +
-            lineOf({"scan_index", numberText(uint64_t{scan_index_})}) +
+            lineOf({"scan_index", numberText(impl_->next_scan)}) +
             lineOf({"enableSaveAs3DObject", flag(g.enableSaveAs3DObject)}) +
             lineOf({"enableObservationLikelihood", flag(g.enableObservationLikelihood)}) +
             lineOf({"enableObservationInsertion", flag(g.enableObservationInsertion)}));
     writeTextSection(write, kInsertionTag, Need::required, insertionOptions.toText());
     writeTextSection(write, kLikelihoodTag, Need::optional, likelihoodOptions.toText());
     writeTextSection(write, kRenderingTag, Need::optional, renderingOptions.toText());
-    writeGrid(write, grid_);
+    writeGrid(write, impl_->grid);
     writeEnd(write);
 }
 
@@ -130,7 +130,7 @@ void AkiMap::readHead(const std::string& text) {
     readValue(values, "enableObservationInsertion", genericMapParams.enableObservationInsertion);
     values.requireNoneLeft();
     setResolution(resolution);
-    scan_index_ = scan_index;
+    impl_->next_scan = scan_index;
 }
 
 void AkiMap::readSections(CArchive& in) {
@@ -153,7 +153,7 @@ void AkiMap::readSections(CArchive& in) {
         else if (tag == kBlocksTag)
             blocks = readBlocks(section);
         else if (tag == kCellsTag)
-            readCells(section, blocks, grid_);
+            readCells(section, blocks, impl_->grid);
         else
             section.skip();
     }
@@ -170,7 +170,7 @@ void AkiMap::readFormat1Or2(CArchive& in, uint8_t version) {
     insertionOptions.readFromStream(in, version);
     likelihoodOptions.readFromStream(in, version);
     renderingOptions.readFromStream(in, version);
-    scan_index_ = in.ReadAs<uint64_t>();
+    impl_->next_scan = in.ReadAs<uint64_t>();
     const auto read = readerOf(in);
     const auto count = in.ReadAs<uint64_t>();
     BlockGrid::BlockIndex previous;
@@ -178,7 +178,7 @@ void AkiMap::readFormat1Or2(CArchive& in, uint8_t version) {
         BlockGrid::BlockIndex b;
         in >> b.x >> b.y >> b.z;
         checkPlace(i > 0 ? &previous : nullptr, b);
-        grid_.adopt(b, readBlock(read));
+        impl_->grid.adopt(b, readBlock(read));
         previous = b;
     }
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <akimap/AkiMap.h>
 #include <akimap/rays.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt/Impl.h"
 #include "queries/HitModel.h"
 #include "sensors/returns.h"
 
@@ -38,16 +38,15 @@ bool AkiMap::internal_canComputeObservationLikelihood(const mrpt::obs::CObservat
 double AkiMap::internal_computeObservationLikelihood(const mrpt::obs::CObservation& obs,
                                                      const mrpt::poses::CPose3D& takenFrom) const {
     const LikelihoodParameters& l = likelihoodOptions;
-    HitModel model(grid_, {insertionOptions.prior_alpha, insertionOptions.prior_beta}, l);
+    l.validate();
+    HitModel model(viewOf(*this), l);
     LogProduct product;
     double used = 0;
     forEachReturn(obs, takenFrom, std::max(1u, l.decimation), [&](const Ray& ray) {
         const double dx = ray.end[0] - ray.origin[0], dy = ray.end[1] - ray.origin[1],
                      dz = ray.end[2] - ray.origin[2];
-        const double range = std::sqrt(dx * dx + dy * dy + dz * dz);
-        const bool usable = range > 0 && range >= insertionOptions.min_range &&
-                            range <= insertionOptions.max_range;  // false for NaN too
-        if (!usable) return;
+        const double range = std::sqrt(dx * dx + dy * dy + dz * dz);  // faster than std::hypot()
+        if (!insertionOptions.takesLength(range)) return;             // NaN is not taken either
         product.multiply((1 - l.p_outlier) * model.hit(ray, range) + l.p_outlier);
         ++used;
     });

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include <akimap/AkiMap.h>
 #include <mrpt/maps/CPointsMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose2D.h>
@@ -10,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "queries/SurfacePoints.h"
+#include "mrpt/Impl.h"
 
 namespace akimap {
 namespace {
@@ -19,7 +18,6 @@ using mrpt::maps::CMetricMap;
 using mrpt::maps::CPointsMap;
 using mrpt::math::TPoint3Df;
 using mrpt::tfest::TMatchingPair;
-using Neighbor = SurfacePoints::Neighbor;
 
 struct Cloud {
     const float *x, *y, *z;
@@ -32,6 +30,10 @@ Cloud cloudOf(const CPointsMap& map) {
 }
 Cloud cloudOf(const SurfacePoints& points) {
     return {points.x().data(), points.y().data(), points.z().data(), points.size()};
+}
+
+TPoint3Df pointOf(const SurfacePoints& points, std::size_t i) {
+    return {points.x()[i], points.y()[i], points.z()[i]};
 }
 
 float square(float v) {
@@ -55,17 +57,18 @@ struct Measure {
 template <class Visitor>
 void forEachPartner(const SurfacePoints& surface, const TPoint3Df& p, const Measure& measure,
                     const mrpt::maps::TMatchingParams& params, Visitor&& visit) {
-    const auto nearest = surface.nearest(p);
+    const SurfacePoints::Point3 query{p.x, p.y, p.z};
+    const auto nearest = surface.nearest(query);
     if (!nearest) return;
     const float sqr_reach = square(measure.reach(p, params));
     const auto visitIfWithin = [&](uint32_t i) {
-        const float d = measure.sqrDistance(surface[i], p);
+        const float d = measure.sqrDistance(pointOf(surface, i), p);
         if (d < sqr_reach) visit(Neighbor{i, d});
     };
     if (params.onlyKeepTheClosest) return visitIfWithin(nearest->index);
     // From above, the ball must still reach as far out at the height of the nearest.
-    const float up = measure.from_above ? square(surface[nearest->index].z - p.z) : 0;
-    for (const Neighbor& n : surface.nearest(p, surface.size(), sqr_reach + up))
+    const float up = measure.from_above ? square(surface.z()[nearest->index] - p.z) : 0;
+    for (const Neighbor& n : surface.nearest(query, surface.size(), sqr_reach + up))
         visitIfWithin(n.index);
 }
 
@@ -73,7 +76,7 @@ TMatchingPair pairOf(const SurfacePoints& surface, const Neighbor& n, const Clou
                      std::size_t i) {
     TMatchingPair pair;
     pair.globalIdx = n.index;
-    pair.global = {surface.x()[n.index], surface.y()[n.index], surface.z()[n.index]};
+    pair.global = pointOf(surface, n.index);
     pair.localIdx = static_cast<decltype(pair.localIdx)>(i);
     pair.local = {other.x[i], other.y[i], other.z[i]};
     pair.errorSquareAfterTransformation = n.sqr_distance;
@@ -112,16 +115,14 @@ void match(const SurfacePoints& surface, const Cloud& other, const mrpt::poses::
 }  // namespace
 
 const SurfacePoints& AkiMap::surface() const {
-    const Prior prior{insertionOptions.prior_alpha, insertionOptions.prior_beta};
-    return surface_cache_.get({scan_index_.writes(), prior.alpha, prior.beta},
-                              [&] { return std::make_shared<SurfacePoints>(grid_, prior); });
+    return impl_->surface.get(viewOf(*this));
 }
 
 std::vector<TPoint3Df> AkiMap::surfacePoints() const {
     const SurfacePoints& s = surface();
     std::vector<TPoint3Df> points;
     points.reserve(s.size());
-    for (std::size_t i = 0; i < s.size(); i++) points.push_back(s[i]);
+    for (std::size_t i = 0; i < s.size(); i++) points.push_back(pointOf(s, i));
     return points;
 }
 
@@ -169,7 +170,7 @@ float AkiMap::compute3DMatchingRatio(const CMetricMap* otherMap,
 }
 
 float AkiMap::squareDistanceToClosestCorrespondence(float x0, float y0) const {
-    const auto nearest = surface().nearest(SurfacePoints::Point2(x0, y0));
+    const auto nearest = surface().nearest(SurfacePoints::Point2{x0, y0});
     return nearest ? nearest->sqr_distance : std::numeric_limits<float>::max();
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 // MRPT's NearestNeighborsCapable, which mp2p_icp's matchers ask for.
-#include <akimap/AkiMap.h>
 
 #include <limits>
 
-#include "queries/SurfacePoints.h"
+#include "mrpt/Impl.h"
 
 namespace akimap {
 namespace {
@@ -13,17 +12,23 @@ namespace {
 using mrpt::math::TPoint2Df;
 using mrpt::math::TPoint3Df;
 
-void assign(TPoint3Df& to, const TPoint3Df& from) {
-    to = from;
+void assign(TPoint3Df& to, const SurfacePoints::Point3& from) {
+    to = {from[0], from[1], from[2]};
 }
-void assign(TPoint2Df& to, const TPoint3Df& from) {
-    to = {from.x, from.y};
+void assign(TPoint2Df& to, const SurfacePoints::Point3& from) {
+    to = {from[0], from[1]};
+}
+SurfacePoints::Point3 toQuery(const TPoint3Df& p) {
+    return {p.x, p.y, p.z};
+}
+SurfacePoints::Point2 toQuery(const TPoint2Df& p) {
+    return {p.x, p.y};
 }
 
 template <class Point>
 bool single(const SurfacePoints& surface, const Point& query, Point& result, float& sqr_distance,
             uint64_t& index) {
-    const auto nearest = surface.nearest(query);
+    const auto nearest = surface.nearest(toQuery(query));
     if (!nearest) return false;
     assign(result, surface[nearest->index]);
     sqr_distance = nearest->sqr_distance;
@@ -35,7 +40,7 @@ template <class Point>
 void several(const SurfacePoints& surface, const Point& query, std::size_t count,
              float max_sqr_distance, std::vector<Point>& results, std::vector<float>& sqr_distances,
              std::vector<uint64_t>& indices) {
-    const auto found = surface.nearest(query, count, max_sqr_distance);
+    const auto found = surface.nearest(toQuery(query), count, max_sqr_distance);
     results.resize(found.size());
     sqr_distances.resize(found.size());
     indices.resize(found.size());

@@ -19,15 +19,19 @@ using mrpt::opengl::CPointCloudColoured;
 /** A cell as it is drawn. */
 struct DrawnCell {
     mrpt::math::TPoint3Df center;
+    float size;
     bool occupied;
 };
 
 std::vector<DrawnCell> drawnCells(const AkiMap& map) {
     const RenderingParameters& r = map.renderingOptions;
     std::vector<DrawnCell> cells;
-    map.forEachCell([&](const mrpt::math::TPoint3D& p, const CellState& s) {
-        const bool occupied = s.occupancy() > r.threshold;
-        if (occupied || r.show_free) cells.push_back({p.cast<float>(), occupied});
+    map.forEachCell([&](const Cell& c) {
+        const bool occupied = c.state.occupancy() > r.threshold;
+        const mrpt::math::TPoint3Df center(static_cast<float>(c.x), static_cast<float>(c.y),
+                                           static_cast<float>(c.z));
+        if (occupied || r.show_free)
+            cells.push_back({center, static_cast<float>(c.size), occupied});
     });
     return cells;
 }
@@ -54,7 +58,7 @@ class HeightColors {
     float low_ = std::numeric_limits<float>::max(), high_ = std::numeric_limits<float>::lowest();
 };
 
-mrpt::opengl::CRenderizable::Ptr asVoxels(const std::vector<DrawnCell>& cells, double side,
+mrpt::opengl::CRenderizable::Ptr asVoxels(const std::vector<DrawnCell>& cells,
                                           const mrpt::math::TBoundingBoxf& box) {
     const HeightColors colors(cells);
     auto voxels = COctoMapVoxels::Create();
@@ -67,7 +71,7 @@ mrpt::opengl::CRenderizable::Ptr asVoxels(const std::vector<DrawnCell>& cells, d
         const TColor color(mrpt::f2u8(f.R), mrpt::f2u8(f.G), mrpt::f2u8(f.B), mrpt::f2u8(f.A));
         voxels->push_back_Voxel(
             c.occupied ? mrpt::opengl::VOXEL_SET_OCCUPIED : mrpt::opengl::VOXEL_SET_FREESPACE,
-            COctoMapVoxels::TVoxel(c.center, side, color));
+            COctoMapVoxels::TVoxel(c.center, static_cast<double>(c.size), color));
     }
     return voxels;
 }
@@ -90,9 +94,8 @@ void AkiMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& out) const {
     if (!genericMapParams.enableSaveAs3DObject) return;
     const auto cells = drawnCells(*this);
     if (cells.empty()) return;
-    out.insert(cells.size() > renderingOptions.max_voxels
-                   ? asPoints(cells)
-                   : asVoxels(cells, resolution(), boundingBox()));
+    out.insert(cells.size() > renderingOptions.max_voxels ? asPoints(cells)
+                                                          : asVoxels(cells, boundingBox()));
 }
 
 }  // namespace akimap

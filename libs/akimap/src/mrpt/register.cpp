@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <iostream>
+#include <mutex>
+#include <set>
 
 #include "mrpt/mrpt_compat.h"
 #include "mrpt/option_fields.h"
@@ -31,6 +33,19 @@ void warnOfUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::s
         if (std::none_of(known.begin(), known.end(), is_it))
             std::cerr << "akimap: warning: [" << section << "] unknown key " << key << "\n";
     }
+}
+
+/** Neither do they tell of an option that changes nothing. Once for each, as particle filters make
+ * many maps. */
+void warnOfIdleOptions(const InsertionParameters& p) {
+    static std::mutex one_at_a_time;
+    static std::set<std::string> told;
+    const std::lock_guard lock(one_at_a_time);
+    const char* estimator = enumNames(p.estimator)[static_cast<std::size_t>(p.estimator)];
+    for (const std::string& name : idleOptions(p))
+        if (told.insert(name).second)
+            std::cerr << "akimap: warning: " << name
+                      << " changes nothing: estimator = " << estimator << " does not use it\n";
 }
 
 template <class Parameters>
@@ -70,6 +85,7 @@ AKIMAP_NEW_MAP_RESULT AkiMap::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& def) {
     const auto& d = dynamic_cast<const AkiMap::TMapDefinition&>(def);
     auto map = AKIMAP_NEW_MAP(d.resolution);
+    warnOfIdleOptions(d.insertionOpts);
     map->insertionOptions = d.insertionOpts;
     map->likelihoodOptions = d.likelihoodOpts;
     map->renderingOptions = d.renderingOpts;

@@ -11,13 +11,13 @@ struct Symmetric3 {
     double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 };
 
-/** A positive definite matrix H by successive regression, z first:
+/** A positive definite matrix H factored as L D L^T (Cholesky without roots), z first:
  *   d^T H^-1 d = dz^2 / vz + ey^2 / vy + (dx - x_z dz - x_y ey)^2 / vx,  ey = dy - y_z dz.
  * All terms are positive, so nothing cancels however flat the ellipsoid is, and |H| = vx vy vz. */
-struct Factored {
+struct Ldlt {
     double vz, y_z, vy, x_z, x_y, vx;
 
-    explicit Factored(const Symmetric3& h) {
+    explicit Ldlt(const Symmetric3& h) {
         // Moments are summed in floats: where the floor is smaller than their rounding, H may come
         // out singular or worse. No kernel is flatter than this.
         constexpr double kFlattest = 1e-6;

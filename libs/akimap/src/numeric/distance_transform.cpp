@@ -9,7 +9,7 @@
 namespace akimap {
 namespace {
 
-constexpr int kSide = Block::kSide, kLayer = kSide * kSide;
+constexpr int kSide = kPowerSide, kLayer = kSide * kSide, kCells = kSide * kLayer;
 using Cells = uint16_t __attribute__((vector_size(16)));    // a row of a block
 using TwoRows = uint16_t __attribute__((vector_size(32)));  // two rows, one behind the other
 
@@ -29,7 +29,7 @@ AKIMAP_INLINE T lesser(T a, T b) {
 }
 /** What d cells on one axis add to a power distance. */
 constexpr uint16_t cost(int d) {
-    return static_cast<uint16_t>(FreeSpace::kUnit * d * d);
+    return static_cast<uint16_t>(kPowerUnit * d * d);
 }
 
 /** Of two rows each: moved by D cells along x, filled up from the rows before them. */
@@ -54,15 +54,15 @@ AKIMAP_INLINE TwoRows leastWithin(TwoRows before, TwoRows here, TwoRows after) {
 
 /** out[x] = min over |d| <= Reach of in[x + d] + cost(d). */
 template <int Reach>
-AKIMAP_INLINE void spreadX(const Neighborhood& of, uint16_t* out) {
-    for (int i = 0; i < Block::kCells; i += 2 * kSide)
+AKIMAP_INLINE void transformX(const Neighborhood& of, uint16_t* out) {
+    for (int i = 0; i < kCells; i += 2 * kSide)
         store(out + i, leastWithin<Reach>(load<TwoRows>(of.before + i), load<TwoRows>(of.here + i),
                                           load<TwoRows>(of.after + i)));
 }
 
 /** The same along y or z: from pieces of `Stride` cells that lie one behind the other. */
 template <int Reach, int Stride, class T>
-AKIMAP_INLINE void spreadPieces(const Neighborhood& of, uint16_t* out) {
+AKIMAP_INLINE void transformPieces(const Neighborhood& of, uint16_t* out) {
     constexpr int kStep = sizeof(T) / sizeof(uint16_t);
     for (int c = 0; c < Stride; c += kStep) {
         T in[3 * kSide];
@@ -84,21 +84,21 @@ AKIMAP_INLINE void spreadPieces(const Neighborhood& of, uint16_t* out) {
 }
 
 template <int Reach>
-AKIMAP_INLINE void spreadAll(int axis, const Neighborhood& of, uint16_t* out) {
-    if (axis == 0) return spreadX<Reach>(of, out);
-    if (axis == 2) return spreadPieces<Reach, kLayer, TwoRows>(of, out);
-    for (int z = 0; z < Block::kCells; z += kLayer)
-        spreadPieces<Reach, kSide, Cells>({of.before + z, of.here + z, of.after + z}, out + z);
+AKIMAP_INLINE void transformAll(int axis, const Neighborhood& of, uint16_t* out) {
+    if (axis == 0) return transformX<Reach>(of, out);
+    if (axis == 2) return transformPieces<Reach, kLayer, TwoRows>(of, out);
+    for (int z = 0; z < kCells; z += kLayer)
+        transformPieces<Reach, kSide, Cells>({of.before + z, of.here + z, of.after + z}, out + z);
 }
 
 /** The least power distances of the 8 layers across an axis: for x the layers are the lanes of the
  * first, for y and z the lanes are cells of a layer. */
-AKIMAP_INLINE void leastOfLayers(const FreeSpace::Plane& plane, int axis, Cells (&least)[kSide]) {
-    for (Cells& l : least) l = Cells{} + FreeSpace::kFar;
+AKIMAP_INLINE void leastOfLayers(const PowerBlock& block, int axis, Cells (&least)[kSide]) {
+    for (Cells& l : least) l = Cells{} + kFarPower;
     for (int z = 0; z < kSide; z++)
         for (int y = 0; y < kSide; y++) {
             Cells& l = least[axis == 2 ? z : y];
-            l = lesser(l, load<Cells>(plane.data() + (z * kSide + y) * kSide));
+            l = lesser(l, load<Cells>(block.data() + (z * kSide + y) * kSide));
         }
     if (axis > 0) return;
     for (int y = 1; y < kSide; y++) least[0] = lesser(least[0], least[y]);
@@ -114,35 +114,35 @@ AKIMAP_INLINE bool anyBelow(Cells v, int limit) {
 
 // Each reach has loops of its own, which are unrolled.
 AKIMAP_MULTIVERSION
-void spreadBlock(int axis, const Neighborhood& of, int reach, uint16_t* out) {
+void transformBlock(int axis, const Neighborhood& of, int reach, uint16_t* out) {
     switch (reach) {
         case 1:
-            return spreadAll<1>(axis, of, out);
+            return transformAll<1>(axis, of, out);
         case 2:
-            return spreadAll<2>(axis, of, out);
+            return transformAll<2>(axis, of, out);
         case 3:
-            return spreadAll<3>(axis, of, out);
+            return transformAll<3>(axis, of, out);
         case 4:
-            return spreadAll<4>(axis, of, out);
+            return transformAll<4>(axis, of, out);
         case 5:
-            return spreadAll<5>(axis, of, out);
+            return transformAll<5>(axis, of, out);
         case 6:
-            return spreadAll<6>(axis, of, out);
+            return transformAll<6>(axis, of, out);
         case 7:
-            return spreadAll<7>(axis, of, out);
+            return transformAll<7>(axis, of, out);
         default:
-            return spreadAll<8>(axis, of, out);
+            return transformAll<8>(axis, of, out);
     }
 }
 
 AKIMAP_MULTIVERSION
-char facesReached(const FreeSpace::Plane& plane, int axis, int limit) {
+char facesReached(const PowerBlock& block, int axis, int limit) {
     Cells least[kSide], low, high;
-    leastOfLayers(plane, axis, least);
+    leastOfLayers(block, axis, least);
     if (axis == 0) {
         constexpr Cells kPlace = {1, 2, 3, 4, 5, 6, 7, 8};
-        low = least[0] + kPlace * kPlace * uint16_t{FreeSpace::kUnit};
-        high = least[0] + (9 - kPlace) * (9 - kPlace) * uint16_t{FreeSpace::kUnit};
+        low = least[0] + kPlace * kPlace * uint16_t{kPowerUnit};
+        high = least[0] + (9 - kPlace) * (9 - kPlace) * uint16_t{kPowerUnit};
     } else {
         low = least[0] + cost(1), high = least[kSide - 1] + cost(1);
         for (int i = 1; i < kSide; i++) {

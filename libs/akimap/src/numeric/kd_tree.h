@@ -3,14 +3,21 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <nanoflann.hpp>
 #include <optional>
 #include <vector>
 
-#include "queries/SurfacePoints.h"
-
 namespace akimap {
+
+/** A point that a search found. */
+struct Neighbor {
+    uint32_t index;      ///< of the point
+    float sqr_distance;  ///< in the square of the points' unit
+};
 
 /** Points as nanoflann reads them. */
 struct Coordinates {
@@ -31,11 +38,9 @@ struct Coordinates {
 template <int kDimensions>
 class KdTree {
  public:
-    using Neighbor = SurfacePoints::Neighbor;
     explicit KdTree(const Coordinates& points) : size_(points.kdtree_get_point_count()) {
-        if (size_)
+        if (size_)  // the constructor builds the index
             index_.emplace(kDimensions, points, nanoflann::KDTreeSingleIndexAdaptorParams(8));
-        if (index_) index_->buildIndex();
     }
 
     [[nodiscard]] std::optional<Neighbor> nearest(const float* query) const {

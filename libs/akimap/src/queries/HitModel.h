@@ -2,15 +2,14 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
-#include <akimap/Options.h>
+#include <akimap/Parameters.h>
 #include <akimap/Ray.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "queries/SurfacePoints.h"
+#include "queries/MapView.h"
 
 namespace akimap {
 
@@ -21,12 +20,12 @@ namespace akimap {
  * One for each thread: it remembers the last block. */
 class HitModel {
  public:
-    HitModel(const BlockGrid& grid, const Prior& prior, const LikelihoodParameters& parameters)
-        : grid_(grid),
-          prior_(prior),
-          per_meter_(kUnit / grid.resolution()),
+    HitModel(const MapView& map, const LikelihoodParameters& parameters)
+        : grid_(map.grid),
+          prior_(map.prior),
+          per_meter_(kUnit / grid_.resolution()),
           p_unknown_(parameters.p_unknown) {
-        const double sigma = parameters.sigma_hit / grid.resolution();  // [cells]
+        const double sigma = parameters.sigma_hit / grid_.resolution();  // [cells]
         reach_ = static_cast<int>(std::min<double>(kMostReach, std::floor(kSigmas * sigma)));
         for (int k = 0; k <= reach_; k++)
             weights_[static_cast<std::size_t>(k)] =

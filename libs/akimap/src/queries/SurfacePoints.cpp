@@ -3,10 +3,7 @@
 #include "queries/SurfacePoints.h"
 
 #include <array>
-#include <limits>
 #include <mutex>
-
-#include "numeric/kd_tree.h"
 
 namespace akimap {
 namespace {
@@ -36,22 +33,24 @@ class Surroundings {
 };
 
 /** From the cell's centre to the centroid of the occupied evidence in 3 x 3 x 3 cells [cells]. */
-mrpt::math::TPoint3D evidenceCentroid(const Surroundings& s, int x, int y, int z) {
-    mrpt::math::TPoint3D sum(0, 0, 0);
+std::array<double, 3> evidenceCentroid(const Surroundings& s, int x, int y, int z) {
+    std::array<double, 3> sum{};
     double weights = 0;
     for (int dz = -1; dz <= 1; dz++)
         for (int dy = -1; dy <= 1; dy++)
             for (int dx = -1; dx <= 1; dx++) {
                 const double w = s.alpha(x + dx, y + dy, z + dz);
-                sum += mrpt::math::TPoint3D(dx, dy, dz) * w;
+                sum[0] += dx * w, sum[1] += dy * w, sum[2] += dz * w;
                 weights += w;
             }
-    return sum * (1 / weights);
+    const double share = 1 / weights;
+    return {sum[0] * share, sum[1] * share, sum[2] * share};
 }
 
+/** With more evidence for than against, and some for: where the prior alone speaks for occupied
+ * there is no surface, and no centroid. */
 bool isOccupied(const Block& block, std::size_t i, const Prior& prior) {
-    return block.alpha[i] + prior.alpha > block.beta[i] + prior.beta &&
-           block.hasEvidence(static_cast<int>(i));
+    return block.alpha[i] + prior.alpha > block.beta[i] + prior.beta && block.alpha[i] > 0;
 }
 
 }  // namespace
@@ -70,18 +69,19 @@ struct SurfacePoints::Trees {
     std::unique_ptr<const Tree<3>> tree3;
 };
 
-SurfacePoints::SurfacePoints(const BlockGrid& grid, const Prior& prior)
-    : trees_(std::make_unique<Trees>()) {
+SurfacePoints::SurfacePoints(const MapView& map) : trees_(std::make_unique<Trees>()) {
+    const BlockGrid& grid = map.grid;
     for (const auto& [b, block] : grid.sortedBlocks()) {
         std::optional<Surroundings> around;
         for (int i = 0; i < Block::kCells; i++) {
-            if (!isOccupied(*block, static_cast<std::size_t>(i), prior)) continue;
+            if (!isOccupied(*block, static_cast<std::size_t>(i), map.prior)) continue;
             if (!around) around.emplace(grid, b);
             const int x = i & 7, y = i >> 3 & 7, z = i >> 6;
-            const auto d = evidenceCentroid(*around, x, y, z) * grid.resolution();
-            x_.push_back(static_cast<float>(grid.center(b.x * 8 + x) + d.x));
-            y_.push_back(static_cast<float>(grid.center(b.y * 8 + y) + d.y));
-            z_.push_back(static_cast<float>(grid.center(b.z * 8 + z) + d.z));
+            const auto d = evidenceCentroid(*around, x, y, z);
+            const double r = grid.resolution();
+            x_.push_back(static_cast<float>(grid.center(b.x * 8 + x) + d[0] * r));
+            y_.push_back(static_cast<float>(grid.center(b.y * 8 + y) + d[1] * r));
+            z_.push_back(static_cast<float>(grid.center(b.z * 8 + z) + d[2] * r));
         }
     }
 }
@@ -103,23 +103,19 @@ void SurfacePoints::prepare3D() const {
     static_cast<void>(tree3());
 }
 
-std::optional<SurfacePoints::Neighbor> SurfacePoints::nearest(const Point3& p) const {
-    const float query[] = {p.x, p.y, p.z};
-    return tree3().tree.nearest(query);
+std::optional<Neighbor> SurfacePoints::nearest(const Point3& p) const {
+    return tree3().tree.nearest(p.data());
 }
-std::optional<SurfacePoints::Neighbor> SurfacePoints::nearest(const Point2& p) const {
-    const float query[] = {p.x, p.y};
-    return tree2().tree.nearest(query);
+std::optional<Neighbor> SurfacePoints::nearest(const Point2& p) const {
+    return tree2().tree.nearest(p.data());
 }
-std::vector<SurfacePoints::Neighbor> SurfacePoints::nearest(const Point3& p, std::size_t count,
-                                                            float max_sqr_distance) const {
-    const float query[] = {p.x, p.y, p.z};
-    return tree3().tree.nearest(query, count, max_sqr_distance);
+std::vector<Neighbor> SurfacePoints::nearest(const Point3& p, std::size_t count,
+                                             float max_sqr_distance) const {
+    return tree3().tree.nearest(p.data(), count, max_sqr_distance);
 }
-std::vector<SurfacePoints::Neighbor> SurfacePoints::nearest(const Point2& p, std::size_t count,
-                                                            float max_sqr_distance) const {
-    const float query[] = {p.x, p.y};
-    return tree2().tree.nearest(query, count, max_sqr_distance);
+std::vector<Neighbor> SurfacePoints::nearest(const Point2& p, std::size_t count,
+                                             float max_sqr_distance) const {
+    return tree2().tree.nearest(p.data(), count, max_sqr_distance);
 }
 
 }  // namespace akimap

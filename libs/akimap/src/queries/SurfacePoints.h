@@ -2,37 +2,27 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/BlockGrid.h>
-#include <mrpt/math/TPoint2D.h>
-#include <mrpt/math/TPoint3D.h>
-
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
-namespace akimap {
+#include "numeric/kd_tree.h"
+#include "queries/MapView.h"
 
-/** Evidence that every cell has before any sample, Eq. (2)-(3). */
-struct Prior {
-    double alpha, beta;
-    bool operator==(const Prior& o) const { return alpha == o.alpha && beta == o.beta; }
-};
+namespace akimap {
 
 /** Where the surfaces are: a point [m] for each occupied cell (occupancy above 1/2), moved from the
  * cell's centre to where the evidence of the cells around it is, and the search for the nearest.
  * Concurrent const calls are safe. */
 class SurfacePoints {
  public:
-    using Point2 = mrpt::math::TPoint2Df;
-    using Point3 = mrpt::math::TPoint3Df;
-    struct Neighbor {
-        uint32_t index;      ///< of the point
-        float sqr_distance;  ///< [m^2]
-    };
+    using Point2 = std::array<float, 2>;  ///< [m]
+    using Point3 = std::array<float, 3>;  ///< [m]
 
-    SurfacePoints(const BlockGrid& grid, const Prior& prior);
+    explicit SurfacePoints(const MapView& map);
     ~SurfacePoints();
     SurfacePoints(const SurfacePoints&) = delete;
     SurfacePoints& operator=(const SurfacePoints&) = delete;

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "sensors/RayAppender.h"
+#include "sensors/SensorFrame.h"
 
 namespace akimap {
 namespace {
@@ -18,24 +18,23 @@ using mrpt::poses::CPose3D;
 /** Receives decoded Velodyne points; each packet has a time and so a pose of its own. */
 class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
  public:
-    PacketRays(const CPose3D& sensor_on_robot, const AkiMap::RobotPoseAt& robot_pose_at,
-               std::vector<Ray>& rays, bool with_free)
-        : sensor_on_robot_(sensor_on_robot),
-          robot_pose_at_(robot_pose_at),
-          rays_(rays),
-          with_free_(with_free) {}
+    PacketRays(const CPose3D& sensor_on_robot, const RobotPoseAt& robot_pose_at,
+               std::vector<Ray>& rays)
+        : sensor_on_robot_(sensor_on_robot), robot_pose_at_(robot_pose_at), rays_(rays) {}
     /** Points farther away [m] are beams of that length without a return. */
     void endAt(double range) { range_ = range; }
     void add_point(float x, float y, float z, uint8_t /*intensity*/,
                    const mrpt::system::TTimeStamp& time, const float /*azimuth*/,
                    uint16_t /*laser*/) override {
         if (!have_time_ || time != time_) placeAt(time);
-        if (!maker_) return;
+        if (!frame_) return;
         const double d = range_ ? std::hypot(x, y, z) : 0;
-        if (range_ && d > *range_)
-            maker_->add(x * *range_ / d, y * *range_ / d, z * *range_ / d, false);
+        const bool hit = !range_ || d <= *range_;
+        if (hit)
+            rays_.push_back(frame_->rayTo(x, y, z));
         else
-            maker_->add(x, y, z);
+            rays_.push_back(
+                frame_->rayTo(x * *range_ / d, y * *range_ / d, z * *range_ / d, false));
     }
 
  private:
@@ -43,18 +42,17 @@ class PacketRays : public CObservationVelodyneScan::PointCloudStorageWrapper {
         have_time_ = true, time_ = time;
         const auto robot = robot_pose_at_(time);
         if (robot)
-            maker_.emplace(*robot + sensor_on_robot_, rays_, with_free_);
+            frame_.emplace(*robot + sensor_on_robot_);
         else
-            maker_.reset();
+            frame_.reset();
     }
     const CPose3D& sensor_on_robot_;
-    const AkiMap::RobotPoseAt& robot_pose_at_;
+    const RobotPoseAt& robot_pose_at_;
     std::vector<Ray>& rays_;
-    bool with_free_;
     std::optional<double> range_;
     bool have_time_ = false;
     mrpt::system::TTimeStamp time_;
-    std::optional<RayMaker> maker_;
+    std::optional<SensorFrame> frame_;
 };
 
 void decodePackets(const CObservationVelodyneScan& o, PacketRays& receiver) {
@@ -82,9 +80,9 @@ void decodePacketsAndFree(const CObservationVelodyneScan& o, PacketRays& receive
 
 }  // namespace
 
-void addVelodyne(const CObservationVelodyneScan& o, const AkiMap::RobotPoseAt& robot_pose_at,
-                 bool moving, bool with_free, std::vector<Ray>& rays) {
-    PacketRays receiver(o.sensorPose, robot_pose_at, rays, with_free);
+void addVelodyne(const CObservationVelodyneScan& o, const RobotPoseAt& robot_pose_at, bool moving,
+                 bool with_free, std::vector<Ray>& rays) {
+    PacketRays receiver(o.sensorPose, robot_pose_at, rays);
     if (with_free && !o.scan_packets.empty()) return decodePacketsAndFree(o, receiver);
     const auto& cloud = o.point_cloud;
     const bool timed = cloud.timestamp.size() == cloud.x.size();

@@ -2,7 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/AkiMap.h>
+#include <akimap/rays.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 
 #include <vector>
@@ -13,8 +13,7 @@ namespace akimap {
  * cloud.
  * \param moving whether the packets are preferred to a cloud without times
  * \param with_free also beams without a return, which only packets tell of */
-void addVelodyne(const mrpt::obs::CObservationVelodyneScan& o,
-                 const AkiMap::RobotPoseAt& robot_pose_at, bool moving, bool with_free,
-                 std::vector<Ray>& rays);
+void addVelodyne(const mrpt::obs::CObservationVelodyneScan& o, const RobotPoseAt& robot_pose_at,
+                 bool moving, bool with_free, std::vector<Ray>& rays);
 
 }  // namespace akimap

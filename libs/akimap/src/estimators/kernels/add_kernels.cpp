@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-// The second half of the scatter: kernels, added to the cells of a block.
 #include <algorithm>
 #include <cmath>
 
@@ -10,16 +9,16 @@
 namespace akimap {
 namespace {
 
-/** Adds a kernel to the plane (alpha or beta) of the block with this lowest cell: first all of its
+/** Adds a kernel to the sums (alpha or beta) of the block with this lowest cell: first all of its
  * rows, then a single loop over those it reaches, as nested loops of two or three rounds each are
  * mispredicted most of the time. */
 template <Lanes lanes>
-AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Touch& touch,
-                             float* plane, Rows& rows, RowMask& reached) {
+AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const BlockOverlap& overlap,
+                             float* sums, Rows& rows, RowMask& reached) {
     Layers layers;
-    uint64_t bits = cutIntoLayers<lanes>(k, corner, touch, layers);
+    uint64_t bits = cutIntoLayers<lanes>(k, corner, overlap, layers);
     if (!bits) return;
-    cutIntoRows(k, layers, touch.begin, touch.end, rows);
+    cutIntoRows(k, layers, overlap.begin, overlap.end, rows);
     for (; bits; bits &= bits - 1) {
         const int r = __builtin_ctzll(bits);
         Row ex, left;
@@ -35,36 +34,36 @@ AKIMAP_INLINE void addKernel(const Kernel& k, const CellIndex& corner, const Tou
         const Row g_signed = left - ex * ex * k.ix;  // 1 - r^2: negative outside
         const Row g = keep(g_signed > 0.0f, g_signed);
         reached |= (RowMask)g;
-        float* cells = plane + r * kSide;
+        float* cells = sums + r * kSide;
         storeRow(cells, loadRow(cells) + kernelOfSquare<Row>(1.0f - g, g) * k.weight);
     }
 }
 
 /** The kernels that may reach a block. */
-struct Touches {
-    const Touch *first, *last;
+struct Overlaps {
+    const BlockOverlap *first, *last;
     std::size_t occupied;  ///< kernels below this number are of occupied samples
 };
 
 /** \return whether a kernel reached the centre of any of its cells */
 template <Lanes lanes>
-AKIMAP_INLINE bool addAlong(const ScatterScratch& s, const Touches& touches,
+AKIMAP_INLINE bool addAlong(const BinnedKernels& s, const Overlaps& overlaps,
                             const CellIndex& corner, float* alpha, float* beta) {
     constexpr int kAhead = 4;
     Rows rows;
     RowMask reached{};  // not zero where 1 - r^2 > 0 was met
-    for (const Touch* t = touches.first; t != touches.last; ++t) {
-        if (t + kAhead < touches.last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
+    for (const BlockOverlap* t = overlaps.first; t != overlaps.last; ++t) {
+        if (t + kAhead < overlaps.last) __builtin_prefetch(&s.kernels[t[kAhead].kernel]);
         addKernel<lanes>(s.kernels[t->kernel], corner, *t,
-                         t->kernel < touches.occupied ? alpha : beta, rows, reached);
+                         t->kernel < overlaps.occupied ? alpha : beta, rows, reached);
     }
     return bitsOf(reached != 0) != 0;
 }
 
 /** Whether most layers of the kernels are wider along y than along x. */
-AKIMAP_INLINE Lanes widerAxis(const ScatterScratch& s, const Touches& touches) {
+AKIMAP_INLINE Lanes widerAxis(const BinnedKernels& s, const Overlaps& overlaps) {
     int along_y = 0;  // layers, less those wider along x
-    for (const Touch* t = touches.first; t != touches.last; ++t) {
+    for (const BlockOverlap* t = overlaps.first; t != overlaps.last; ++t) {
         const Kernel& k = s.kernels[t->kernel];
         const auto x_y = static_cast<float>(k.x_y);
         const int layers = t->end - t->begin;
@@ -73,9 +72,9 @@ AKIMAP_INLINE Lanes widerAxis(const ScatterScratch& s, const Touches& touches) {
     return along_y > 0 ? Lanes::y : Lanes::x;
 }
 
-/** Swaps x and y of a plane of a block. */
-AKIMAP_INLINE void transposeLayers(float* plane) {
-    for (float* layer = plane; layer != plane + Block::kCells; layer += kSide * kSide) {
+/** Swaps x and y of the sums of a block. */
+AKIMAP_INLINE void transposeLayers(float* sums) {
+    for (float* layer = sums; layer != sums + Block::kCells; layer += kSide * kSide) {
         Row rows[kSide], half[kSide];
         for (int i = 0; i < kSide; i++) rows[i] = loadRow(layer + i * kSide);
         for (int step = 0; step < 3; step++) {  // each interleaves the first half with the second
@@ -92,25 +91,25 @@ AKIMAP_INLINE void transposeLayers(float* plane) {
 
 /** \return whether a kernel reached the centre of any of its cells */
 AKIMAP_MULTIVERSION
-bool addToBlock(const ScatterScratch& s, const Touches& touches, const CellIndex& corner,
+bool addToBlock(const BinnedKernels& s, const Overlaps& overlaps, const CellIndex& corner,
                 float* alpha, float* beta) {
-    if (widerAxis(s, touches) == Lanes::x)
-        return addAlong<Lanes::x>(s, touches, corner, alpha, beta);
-    for (float* plane : {alpha, beta})
-        if (plane) transposeLayers(plane);
-    const bool reached = addAlong<Lanes::y>(s, touches, corner, alpha, beta);
-    for (float* plane : {alpha, beta})
-        if (plane) transposeLayers(plane);
+    if (widerAxis(s, overlaps) == Lanes::x)
+        return addAlong<Lanes::x>(s, overlaps, corner, alpha, beta);
+    for (float* sums : {alpha, beta})
+        if (sums) transposeLayers(sums);
+    const bool reached = addAlong<Lanes::y>(s, overlaps, corner, alpha, beta);
+    for (float* sums : {alpha, beta})
+        if (sums) transposeLayers(sums);
     return reached;
 }
 
 }  // namespace
 
-bool addKernels(const ScatterScratch& s, std::size_t b, std::size_t occupied, float* alpha,
+bool addKernels(const BinnedKernels& s, std::size_t b, std::size_t occupied, float* alpha,
                 float* beta) {
     const CellIndex c = unpackKey(s.keys[b]);
-    const Touch* touches = s.touches.data();
-    return addToBlock(s, {touches + s.start[b], touches + s.start[b + 1], occupied},
+    const BlockOverlap* overlaps = s.overlaps.data();
+    return addToBlock(s, {overlaps + s.start[b], overlaps + s.start[b + 1], occupied},
                       {c.x * kSide, c.y * kSide, c.z * kSide}, alpha, beta);
 }
 

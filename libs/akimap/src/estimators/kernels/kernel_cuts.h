@@ -11,8 +11,6 @@
 
 namespace akimap {
 
-constexpr int kSide = Block::kSide;
-
 /** The axis of the eight cells of a layer that are added to at once. */
 enum class Lanes : uint8_t { x, y };
 
@@ -64,8 +62,8 @@ AKIMAP_INLINE RowMask placesWithin(Row half, Row middle) {
  * \return one bit for each eight cells along the lanes, those of layer 0 first: whether the kernel
  * may reach one of them */
 template <Lanes lanes>
-AKIMAP_INLINE uint64_t cutIntoLayers(const Kernel& k, const CellIndex& corner, const Touch& touch,
-                                     Layers& layers) {
+AKIMAP_INLINE uint64_t cutIntoLayers(const Kernel& k, const CellIndex& corner,
+                                     const BlockOverlap& overlap, Layers& layers) {
     const double cz = k.z - corner.z, cy = k.y - corner.y, cx = k.x - corner.x;
     const DoubleRow low = kLow - cz, high = kHigh - cz;
     const Row left = 1.0f - joined(low * low, high * high) * k.iz;
@@ -84,8 +82,8 @@ AKIMAP_INLINE uint64_t cutIntoLayers(const Kernel& k, const CellIndex& corner, c
     const Row across = (lanes == Lanes::x ? x : y) - kMiddle,
               half_across = lanes == Lanes::x ? half_x : half_y;
     const Row distance = (Row)((RowMask)across & INT32_MAX) - kMiddle;
-    const RowMask meets = (distance < half_across) & (kLaneIndex >= touch.begin) &
-                          (kLaneIndex < touch.end),
+    const RowMask meets = (distance < half_across) & (kLaneIndex >= overlap.begin) &
+                          (kLaneIndex < overlap.end),
                   places = lanes == Lanes::x ? placesWithin(half_y, y) : placesWithin(half_x, x);
     return bytesOf(places & meets);
 }

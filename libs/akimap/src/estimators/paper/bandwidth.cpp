@@ -8,6 +8,8 @@
 
 #include <Eigen/Dense>
 
+#include "estimators/paper/options.h"
+
 namespace akimap {
 namespace {
 
@@ -34,7 +36,7 @@ struct Metric {
     }
 };
 
-Metric<float> metricOf(const Factored& f) {
+Metric<float> metricOf(const Ldlt& f) {
     return {static_cast<float>(1 / f.vz), static_cast<float>(f.y_z), static_cast<float>(1 / f.vy),
             static_cast<float>(f.x_z),    static_cast<float>(f.x_y), static_cast<float>(1 / f.vx)};
 }
@@ -42,7 +44,7 @@ Metric<float> metricOf(const Factored& f) {
 Metric<Row> metricsOf(const Symmetric3* covariances, int count) {
     Metric<Row> m{};
     for (int lane = 0; lane < count; lane++) {
-        const Metric<float> one = metricOf(Factored(covariances[lane]));
+        const Metric<float> one = metricOf(Ldlt(covariances[lane]));
         m.iz[lane] = one.iz, m.y_z[lane] = one.y_z, m.iy[lane] = one.iy;
         m.x_z[lane] = one.x_z, m.x_y[lane] = one.x_y, m.ix[lane] = one.ix;
     }
@@ -103,7 +105,7 @@ AKIMAP_INLINE RowMask lanesThatMeet(const PointList& near, const Group& g,
 /** Adds the points in a lane's region and support u < limit to the problem. */
 AKIMAP_INLINE void addSupport(const PointList& near, const Group& g, int lane,
                               const Metric<float>& metric, float limit, bool positive,
-                              SelectorScratch& scratch) {
+                              SelectorWorkspace& scratch) {
     std::vector<float>& hits = scratch.hits;
     if (hits.size() < near.count + 8) hits.resize(2 * near.count + 8);
     std::size_t n = 0;
@@ -126,7 +128,7 @@ Symmetric3 covarianceOf(const Moments& m, int lane, const InsertionParameters& p
     if (n <= 2) return isotropic(resolution);
     const bool about_mean = p.covariance_center == CovarianceCenter::mean;
     const double k = about_mean ? 1 / n : 0, w = 1 / (about_mean ? n - 1 : n - 2);
-    const double f = covarianceFloor(p, resolution);
+    const double f = p.covariance_floor;
     return {(m.xx[lane] - k * x * x) * w + f, (m.xy[lane] - k * x * y) * w,
             (m.xz[lane] - k * x * z) * w,     (m.yy[lane] - k * y * y) * w + f,
             (m.yz[lane] - k * y * z) * w,     (m.zz[lane] - k * z * z) * w + f};
@@ -155,7 +157,7 @@ struct Label {
 class Selector {
  public:
     Selector(const Samples& s, const InsertionParameters& p, double resolution, const Label& label,
-             SelectorScratch& scratch)
+             SelectorWorkspace& scratch)
         : s_(s),
           p_(p),
           label_(label),
@@ -195,7 +197,7 @@ class Selector {
                 p_.search_region == SearchRegion::box, label_.same.boundsOf(row)};
         float widest = 0;
         for (int lane = 0; lane < label_.same.countIn(row); lane++) {
-            g.range[lane] = searchRange(p_, resolution_, s_.distance[sampleAt(row, lane)]);
+            g.range[lane] = searchRange(p_, s_.distance[sampleAt(row, lane)]);
             widest = std::max(widest, g.range[lane]);
         }
         widest *= 1.0001f;  // rounding must not lose a point on a region's face
@@ -208,7 +210,7 @@ class Selector {
         const RowMask met = lanesThatMeet(scratch_.other, g, metricsOf(own, count), limit_);
         for (uint32_t bits = bitsOf(met & (m.n > 2.0f)); bits; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
-            const Metric<float> metric = metricOf(Factored(own[lane]));
+            const Metric<float> metric = metricOf(Ldlt(own[lane]));
             scratch_.problem.clear();
             addSupport(scratch_.other, g, lane, metric, limit_, false, scratch_);
             addSupport(scratch_.same, g, lane, metric, limit_, true, scratch_);
@@ -217,10 +219,9 @@ class Selector {
     }
 
     [[nodiscard]] double scaleOf(const Symmetric3& covariance) const {
-        const double shortest = p_.scale_min_length > 0 ? p_.scale_min_length : resolution_;
-        const double lowest = shortest / longestSemiAxis(covariance);
+        const double lowest = p_.scale_min_length / longestSemiAxis(covariance);
         if (p_.scale_search == ScaleSearch::descent)
-            return scratch_.problem.descend(1 / std::sqrt(Factored(covariance).determinant()),
+            return scratch_.problem.descend(1 / std::sqrt(Ldlt(covariance).determinant()),
                                             std::min(lowest, 1.0));
         return scratch_.problem.minimise(std::min(lowest, p_.scale_max), p_.scale_max);
     }
@@ -230,7 +231,7 @@ class Selector {
     const Label& label_;
     double resolution_;
     float limit_;
-    SelectorScratch& scratch_;
+    SelectorWorkspace& scratch_;
 };
 
 AKIMAP_MULTIVERSION
@@ -239,7 +240,7 @@ void selectRows(Selector& selector, std::size_t begin, std::size_t end, Symmetri
 }
 
 void selectLabel(const Samples& s, const InsertionParameters& p, double resolution,
-                 const Label& label, NeighborScratch& scratch, std::vector<Symmetric3>& H) {
+                 const Label& label, BandwidthWorkspace& scratch, std::vector<Symmetric3>& H) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, label.same.rows(), 32),
                       [&](const auto& r) {
                           Selector selector(s, p, resolution, label, scratch.per_thread.local());
@@ -249,17 +250,15 @@ void selectLabel(const Samples& s, const InsertionParameters& p, double resoluti
 
 }  // namespace
 
-double covarianceFloor(const InsertionParameters& p, double resolution) {
-    return p.covariance_floor > 0 ? p.covariance_floor : 0.4 * resolution * resolution;
-}
-
-float searchRange(const InsertionParameters& p, double resolution, float distance) {
-    const double nearest = p.search_range_origin > 0 ? p.search_range_origin : resolution;
+float searchRange(const InsertionParameters& p, float distance) {
+    const double nearest = p.search_range_origin;
     return static_cast<float>(nearest + (p.search_range_max - nearest) * distance / p.max_range);
 }
 
-void bandwidths(const Samples& s, const InsertionParameters& p, double resolution,
-                NeighborScratch& scratch, std::vector<Symmetric3>& H) {
+void bandwidths(const Samples& s, const InsertionParameters& given, double resolution,
+                BandwidthWorkspace& scratch, std::vector<Symmetric3>& H) {
+    InsertionParameters p = given;
+    static_cast<PaperParameters&>(p) = paperInForce(given, resolution);
     H.resize(s.size());
     if (p.bandwidth == Bandwidth::isotropic) {
         std::fill(H.begin(), H.end(), isotropic(p.isotropic_length));

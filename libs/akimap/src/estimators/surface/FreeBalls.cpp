@@ -12,9 +12,11 @@
 namespace akimap {
 namespace {
 
-constexpr FreeSpace::Plane kNoBlock = [] {
-    FreeSpace::Plane p{};
-    for (uint16_t& v : p) v = FreeSpace::kFar;
+static_assert(kPowerSide == Block::kSide);
+
+constexpr PowerBlock kNoBlock = [] {
+    PowerBlock p{};
+    for (uint16_t& v : p) v = kFarPower;
     return p;
 }();
 
@@ -26,35 +28,35 @@ uint64_t keyBeside(uint64_t key, int axis, int step) {
 
 }  // namespace
 
-void FreeSpace::clear() {
-    index_.clear(), keys_.clear(), planes_.clear();
+void FreeBalls::clear() {
+    index_.clear(), keys_.clear(), blocks_.clear();
     last_cell_ = kNowhere;
 }
 
-uint32_t FreeSpace::numberOf(uint64_t key) {
+uint32_t FreeBalls::numberOf(uint64_t key) {
     const uint32_t known = index_.find(key);
     if (known != KeyTable::kNone) return known;
     keys_.push_back(key);
-    planes_.push_back(kNoBlock);
+    blocks_.push_back(kNoBlock);
     return index_.insert(key, static_cast<uint32_t>(keys_.size() - 1)).first;
 }
 
-void FreeSpace::merge(const FreeSpace& other) {
+void FreeBalls::merge(const FreeBalls& other) {
     for (std::size_t b = 0; b < other.keys_.size(); b++) {
-        Plane& here = planes_[numberOf(other.keys_[b])];
+        PowerBlock& here = blocks_[numberOf(other.keys_[b])];
         for (std::size_t i = 0; i < here.size(); i++)
-            here[i] = std::min(here[i], other.planes_[b][i]);
+            here[i] = std::min(here[i], other.blocks_[b][i]);
     }
 }
 
 /** Adds the blocks beside those whose balls reach over a face. */
-void FreeSpace::growAlong(int axis, double radius) {
-    const int limit = static_cast<int>(std::ceil(radius * radius * kUnit));
+void FreeBalls::growAlong(int axis, double radius) {
+    const int limit = static_cast<int>(std::ceil(radius * radius * kPowerUnit));
     const std::size_t n = keys_.size();
     std::vector<char> beyond(n);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 64), [&](const auto& r) {
         for (std::size_t b = r.begin(); b != r.end(); ++b)
-            beyond[b] = facesReached(planes_[b], axis, limit);
+            beyond[b] = facesReached(blocks_[b], axis, limit);
     });
     for (std::size_t b = 0; b < n; b++) {
         if (beyond[b] & 1) numberOf(keyBeside(keys_[b], axis, -1));
@@ -62,25 +64,25 @@ void FreeSpace::growAlong(int axis, double radius) {
     }
 }
 
-void FreeSpace::spreadAlong(int axis, int reach) {
-    spread_.resize(planes_.size());
+void FreeBalls::transformAlong(int axis, int reach) {
+    transformed_.resize(blocks_.size());
     const auto beside = [&](uint64_t key, int step) {
         const uint32_t n = index_.find(keyBeside(key, axis, step));
-        return n == KeyTable::kNone ? kNoBlock.data() : planes_[n].data();
+        return n == KeyTable::kNone ? kNoBlock.data() : blocks_[n].data();
     };
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, keys_.size(), 32), [&](const auto& r) {
         for (std::size_t b = r.begin(); b != r.end(); ++b)
-            spreadBlock(axis, {beside(keys_[b], -1), planes_[b].data(), beside(keys_[b], +1)},
-                        reach, spread_[b].data());
+            transformBlock(axis, {beside(keys_[b], -1), blocks_[b].data(), beside(keys_[b], +1)},
+                           reach, transformed_[b].data());
     });
-    planes_.swap(spread_);
+    blocks_.swap(transformed_);
 }
 
-void FreeSpace::spread(double radius) {
+void FreeBalls::transform(double radius) {
     const int reach = std::min(static_cast<int>(std::ceil(radius)), kMaxRadius);
     for (int axis = 0; axis < 3; axis++) {
         growAlong(axis, radius);
-        spreadAlong(axis, reach);
+        transformAlong(axis, reach);
     }
 }
 

@@ -37,7 +37,7 @@ AKIMAP_INLINE BallMoments momentsIn(const PointList& points, float cx, float cy,
             sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
 }
 
-inline Bounds boxOf(const SurfelScratch& s, uint32_t i, float r) {
+inline Bounds boxOf(const HitPlaneWorkspace& s, uint32_t i, float r) {
     return {{s.x[i] - r, s.y[i] - r, s.z[i] - r}, {s.x[i] + r, s.y[i] + r, s.z[i] + r}};
 }
 inline void include(const Bounds& other, Bounds& all) {
@@ -58,7 +58,7 @@ struct Neighbors {
 class BallSearch {
  public:
     /** \param range of the largest ball [m] */
-    BallSearch(const SurfelScratch& hits, double range, double resolution)
+    BallSearch(const HitPlaneWorkspace& hits, double range, double resolution)
         : s_(hits), range_(range), resolution_(resolution) {}
 
     /** Moments of the smallest ball around each of n hits that holds enough. The hits lie near each
@@ -97,7 +97,7 @@ class BallSearch {
     }
 
  private:
-    const SurfelScratch& s_;
+    const HitPlaneWorkspace& s_;
     double range_, resolution_;
 };
 

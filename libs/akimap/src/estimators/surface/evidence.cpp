@@ -2,8 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #include "estimators/surface/evidence.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -12,22 +10,6 @@ namespace akimap {
 namespace {
 constexpr float kLeastSurface = 0.1f;  // of a, where nothing else is known of a cell
 constexpr float kSurfaceWeight = 2;    // a surface counts as much as so many free spaces
-
-/** Allocates blocks whose cells are still to be written. */
-template <class T>
-struct Unwritten : std::allocator<T> {
-    template <class U>
-    struct rebind {
-        using other = Unwritten<U>;
-    };
-    Unwritten() = default;
-    template <class U>
-    explicit Unwritten(const Unwritten<U>&) {}
-    template <class U>
-    void construct(U* p) {
-        ::new (static_cast<void*>(p)) U;
-    }
-};
 
 /** What one scan says of a block: the sums of its surface kernels, and its power distances; either
  * may be missing. */
@@ -89,7 +71,7 @@ bool addBlock(const ScanBlock& scan, float inverse_limit, float bound, bool fres
 }
 
 /** Lists the blocks that the scan says anything of. */
-void listBlocks(const ScatterScratch& kernels, const FreeSpace& free,
+void listBlocks(const BinnedKernels& kernels, const FreeBalls& free,
                 std::vector<EvidenceBlock>& blocks) {
     constexpr uint32_t kNone = KeyTable::kNone;
     blocks.clear();
@@ -103,55 +85,28 @@ void listBlocks(const ScatterScratch& kernels, const FreeSpace& free,
     }
 }
 
-/** Adds the scan to a block of the map. \return whether a cell of it gained evidence */
-bool addScan(const EvidenceBlock& b, const ScatterScratch& kernels, const FreeSpace& free,
-             float inverse_limit, float bound, bool fresh, Block& block) {
-    alignas(32) float surface[Block::kCells];
-    ScanBlock scan{nullptr, nullptr};
-    if (b.power != KeyTable::kNone) scan.power = free.plane(b.power).data();
-    if (b.kernels != KeyTable::kNone) {
-        std::fill_n(surface, Block::kCells, 0.0f);
-        if (addKernels(kernels, b.kernels, kernels.kernels.size(), surface, nullptr))
-            scan.surface = surface;
-    }
-    return addBlock(scan, inverse_limit, bound, fresh, block);
-}
-
 }  // namespace
 
-bool addEvidence(const CellIndex& anchor, const ScatterScratch& kernels, const FreeSpace& free,
-                 double radius, double max_evidence, BlockGrid& grid, EvidenceScratch& s) {
-    listBlocks(kernels, free, s.touched);
-
-    // All that may run out of memory comes before the first sum is changed.
-    const std::size_t n = s.touched.size();
-    s.blocks.assign(n, nullptr);
-    s.fresh.assign(n, nullptr);
-    s.reached.assign(n, 0);
-    grid.reserve(grid.blockCount() + n);
-    for (std::size_t b = 0; b < n; b++)
-        s.blocks[b] = grid.own(blockInMap(s.touched[b].key, anchor));
-    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        if (s.blocks[b]) return;
-        s.fresh[b] = std::allocate_shared<Block>(Unwritten<Block>());
-        s.blocks[b] = s.fresh[b].get();
-    });
+bool addEvidence(const CellIndex& anchor, const BinnedKernels& kernels, const ScanFreeSpace& free,
+                 double max_evidence, BlockGrid& grid, EvidenceWorkspace& w) {
+    listBlocks(kernels, free.balls, w.blocks);
     const auto bound = max_evidence > 0 ? static_cast<float>(max_evidence)
                                         : std::numeric_limits<float>::infinity();
-    const auto inverse_limit = static_cast<float>(1 / (FreeSpace::kUnit * radius * radius));
-    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t b) {
-        s.reached[b] = addScan(s.touched[b], kernels, free, inverse_limit, bound,
-                               s.fresh[b] != nullptr, *s.blocks[b]);
-    });
-
-    bool changed = false;
-    for (std::size_t b = 0; b < n; b++) {
-        if (!s.reached[b]) continue;
-        changed = true;
-        if (s.fresh[b]) grid.adopt(blockInMap(s.touched[b].key, anchor), std::move(s.fresh[b]));
-    }
-    s.fresh.clear();
-    return changed;
+    const auto inverse_limit = static_cast<float>(1 / (kPowerUnit * free.radius * free.radius));
+    const auto placeOf = [&](std::size_t b) { return blockInMap(w.blocks[b].key, anchor); };
+    return w.update.run(
+        grid, w.blocks.size(), placeOf, [&](std::size_t b, Block& block, bool fresh) {
+            alignas(32) float surface[Block::kCells];
+            const EvidenceBlock& of = w.blocks[b];
+            ScanBlock scan{nullptr, nullptr};
+            if (of.free != KeyTable::kNone) scan.power = free.balls.block(of.free).data();
+            if (of.kernels != KeyTable::kNone) {
+                std::fill_n(surface, Block::kCells, 0.0f);
+                if (addKernels(kernels, of.kernels, kernels.kernels.size(), surface, nullptr))
+                    scan.surface = surface;
+            }
+            return addBlock(scan, inverse_limit, bound, fresh, block);
+        });
 }
 
 }  // namespace akimap

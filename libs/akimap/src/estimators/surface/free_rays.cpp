@@ -36,7 +36,7 @@ AKIMAP_INLINE Walk walkOf(const Ray& r, double per_cell, double slope, double st
 }
 
 /** From a hit, whose plane the balls hardly cross. */
-AKIMAP_INLINE Walk walkFrom(const Ray& r, const Surfel& s, double per_cell) {
+AKIMAP_INLINE Walk walkFrom(const Ray& r, const HitPlane& s, double per_cell) {
     Walk w = walkOf(r, per_cell, kClearance, 0);
     if (s.flat)
         w.slope *= std::abs(w.back[0] * static_cast<double>(s.normal[0]) +
@@ -56,7 +56,7 @@ AKIMAP_INLINE CellIndex cellOn(const Walk& w, double t, const CellIndex& anchor)
 
 /** Marks the balls along a ray, R = radius [cells]. \return number of balls */
 AKIMAP_INLINE std::size_t markRay(const Walk& w, double radius, const CellIndex& anchor,
-                                  FreeSpace& free) {
+                                  FreeBalls& free) {
     std::size_t balls = 0;
     double t = 1;
     for (double ball; t < w.length && (ball = w.slope * (t - w.start)) < radius;
@@ -64,7 +64,7 @@ AKIMAP_INLINE std::size_t markRay(const Walk& w, double radius, const CellIndex&
         if (ball < kLeastBall) continue;
         balls++;
         free.mark(cellOn(w, t, anchor),
-                  static_cast<uint16_t>(FreeSpace::kUnit * (radius * radius - ball * ball)));
+                  static_cast<uint16_t>(kPowerUnit * (radius * radius - ball * ball)));
     }
     const double step = std::max(1.0, kStep * radius);
     for (; t < w.length; t += step, balls++) free.mark(cellOn(w, t, anchor), 0);
@@ -72,19 +72,19 @@ AKIMAP_INLINE std::size_t markRay(const Walk& w, double radius, const CellIndex&
 }
 
 AKIMAP_MULTIVERSION
-std::size_t markRange(const KeptRay* rays, const Surfel* surfels, std::size_t n, double radius,
-                      double per_cell, const CellIndex& anchor, FreeSpace& free) {
+std::size_t markRange(const KeptRay* rays, const HitPlane* planes, std::size_t n, double radius,
+                      double per_cell, const CellIndex& anchor, FreeBalls& free) {
     std::size_t balls = 0;
     for (std::size_t i = 0; i < n; i++)
-        balls += markRay(walkFrom(*rays[i].ray, surfels[i], per_cell), radius, anchor, free);
+        balls += markRay(walkFrom(*rays[i].ray, planes[i], per_cell), radius, anchor, free);
     return balls;
 }
 
 }  // namespace
 
-std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
-                     double radius, double resolution, const CellIndex& anchor,
-                     std::vector<FreeSpace>& parts, FreeSpace& free) {
+std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitPlane>& planes,
+                        double radius, double resolution, const CellIndex& anchor,
+                        std::vector<FreeBalls>& parts, FreeBalls& free) {
     constexpr std::size_t kFewest = 1000;  // rays of a part
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t n = std::clamp(rays.size() / kFewest, std::size_t{1}, threads);
@@ -92,17 +92,17 @@ std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>
     std::atomic<std::size_t> balls{0};
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t p) {
         const std::size_t begin = rays.size() * p / n, end = rays.size() * (p + 1) / n;
-        FreeSpace& part = p == 0 ? free : parts[p];
+        FreeBalls& part = p == 0 ? free : parts[p];
         part.clear();
-        balls += markRange(rays.data() + begin, surfels.data() + begin, end - begin, radius,
+        balls += markRange(rays.data() + begin, planes.data() + begin, end - begin, radius,
                            1 / resolution, anchor, part);
     });
     for (std::size_t p = 1; p < n; p++) free.merge(parts[p]);
     return balls;
 }
 
-std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                          const CellIndex& anchor, FreeSpace& free) {
+std::size_t markBeams(const std::vector<Ray>& beams, double radius, double resolution,
+                      const CellIndex& anchor, FreeBalls& free) {
     std::size_t balls = 0;
     for (const Ray& r : beams)
         balls += markRay(walkOf(r, 1 / resolution, 1, kOffCenter), radius, anchor, free);

@@ -14,15 +14,15 @@ namespace akimap {
  * \param anchor of the samples: the blocks of `free` are relative to it
  * \param parts scratch
  * \return number of balls */
-std::size_t markFree(const std::vector<KeptRay>& rays, const std::vector<Surfel>& surfels,
-                     double radius, double resolution, const CellIndex& anchor,
-                     std::vector<FreeSpace>& parts, FreeSpace& free);
+std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitPlane>& planes,
+                        double radius, double resolution, const CellIndex& anchor,
+                        std::vector<FreeBalls>& parts, FreeBalls& free);
 
 /** Marks more, along beams that met nothing: balls within the sphere of the beam's length about its
  * origin.
  * \param beams cut off where they are known to be free
  * \return number of balls */
-std::size_t markFreeBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                          const CellIndex& anchor, FreeSpace& free);
+std::size_t markBeams(const std::vector<Ray>& beams, double radius, double resolution,
+                      const CellIndex& anchor, FreeBalls& free);
 
 }  // namespace akimap

@@ -32,18 +32,18 @@ Symmetric3 symmetric(const Eigen::Matrix3d& m) {
 /** Fits one hit after the other. */
 class Fitter {
  public:
-    Fitter(const InsertionParameters& p, double resolution)
+    Fitter(const SurfaceParameters& p, double resolution)
         : resolution_(resolution),
           narrowest_(kNarrowest * resolution),
-          widest_(widestSurfel(p, resolution)) {}
+          widest_(widestKernel(p, resolution)) {}
 
     /** \param variance in increasing order, about the mean, and \param axes theirs, in columns
      * \param towards_sensor of unit length
      * \param shift where the hit belongs, relative to itself [m] */
     void fit(const BallMoments& m, const Eigen::Vector3d& variance, const Eigen::Matrix3d& axes,
-             const Eigen::Vector3d& towards_sensor, Surfel& surfel, Symmetric3& H,
+             const Eigen::Vector3d& towards_sensor, HitPlane& plane, Symmetric3& H,
              Eigen::Vector3d& shift) const {
-        surfel = {{0, 0, 0}, false};
+        plane = {{0, 0, 0}, false};
         shift.setZero();
         if (m.n < 3) {
             const double v = kAlone * kAlone * resolution_ * resolution_;
@@ -51,35 +51,35 @@ class Fitter {
             return;
         }
         if (variance[1] < kLine * variance[2]) {
-            surfel = facing(towards_sensor, axes.col(2));
-            H = alongLine(axes.col(2), squaredSemiAxes(variance)[2], surfel);
+            plane = facing(towards_sensor, axes.col(2));
+            H = alongLine(axes.col(2), squaredSemiAxes(variance)[2], plane);
             return;
         }
         if (m.n >= kFewestOfPlane && variance[0] < kFlat * variance[1]) {
             const Eigen::Vector3d normal = axes.col(0);
             shift = normal * (normal.dot(Eigen::Vector3d(m.x, m.y, m.z)) / m.w);
-            surfel = flatSurfel(normal);
+            plane = planeWith(normal);
         }
         H = symmetric(axes * squaredSemiAxes(variance).asDiagonal() * axes.transpose());
     }
 
  private:
-    static Surfel flatSurfel(const Eigen::Vector3d& n) {
+    static HitPlane planeWith(const Eigen::Vector3d& n) {
         return {{static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])},
                 true};
     }
     /** Hits along a line (a 2D scan, one ring of a lidar) lie on many planes: the one that faces
      * the sensor most. */
-    static Surfel facing(const Eigen::Vector3d& towards_sensor, const Eigen::Vector3d& line) {
+    static HitPlane facing(const Eigen::Vector3d& towards_sensor, const Eigen::Vector3d& line) {
         const Eigen::Vector3d across = towards_sensor - line * line.dot(towards_sensor);
         const double sine = across.norm();
-        return sine < kLeastSine ? Surfel{{0, 0, 0}, false} : flatSurfel(across / sine);
+        return sine < kLeastSine ? HitPlane{{0, 0, 0}, false} : planeWith(across / sine);
     }
     /** The ellipsoid of a hit on a line: thin across the plane it was given, if any. */
     [[nodiscard]] Symmetric3 alongLine(const Eigen::Vector3d& line, double squared_length,
-                                       const Surfel& surfel) const {
+                                       const HitPlane& plane) const {
         const double wide = kAlone * resolution_, thin = kLineThinnest * resolution_;
-        const Eigen::Vector3d n(surfel.normal[0], surfel.normal[1], surfel.normal[2]);  // or 0
+        const Eigen::Vector3d n(plane.normal[0], plane.normal[1], plane.normal[2]);  // or 0
         return symmetric(wide * wide * Eigen::Matrix3d::Identity() +
                          (squared_length - wide * wide) * line * line.transpose() +
                          (thin * thin - wide * wide) * n * n.transpose());
@@ -127,8 +127,8 @@ AKIMAP_INLINE PrincipalAxes axesOf(const BallMoments* moments, std::size_t n) {
 
 AKIMAP_MULTIVERSION
 void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<KeptRay>& rays,
-              const SurfelScratch& s, std::size_t begin, std::size_t end, Samples& hits,
-              Surfel* surfels, Symmetric3* H) {
+              const HitPlaneWorkspace& s, std::size_t begin, std::size_t end, Samples& hits,
+              HitPlane* planes, Symmetric3* H) {
     thread_local Neighbors near;
     BallMoments moments[kTogether];
     for (std::size_t place = begin, n; place < end; place += n) {  // along the curve
@@ -145,7 +145,7 @@ void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<
                 variance[a] = std::max(0.0, static_cast<double>(found.value[a][k]));
                 for (int c = 0; c < 3; c++) axes(c, a) = static_cast<double>(found.axis[a][c][k]);
             }
-            fitter.fit(moments[k], variance, axes, towardsSensor(*rays[i].ray), surfels[i], H[i],
+            fitter.fit(moments[k], variance, axes, towardsSensor(*rays[i].ray), planes[i], H[i],
                        shift);
             hits.x[i] += static_cast<float>(shift[0]);
             hits.y[i] += static_cast<float>(shift[1]);
@@ -156,14 +156,14 @@ void fitRange(const Fitter& fitter, const BallSearch& search, const std::vector<
 
 }  // namespace
 
-double widestSurfel(const InsertionParameters& p, double resolution) {
+double widestKernel(const SurfaceParameters& p, double resolution) {
     return std::max(2 * p.surface_range, kNarrowest * resolution);
 }
 
-void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits, const InsertionParameters& p,
-                double resolution, SurfelScratch& scratch, std::vector<Surfel>& surfels,
-                std::vector<Symmetric3>& H) {
-    surfels.resize(hits.size());
+void fitHitPlanes(const std::vector<KeptRay>& rays, Samples& hits, const SurfaceParameters& p,
+                  double resolution, HitPlaneWorkspace& scratch, std::vector<HitPlane>& planes,
+                  std::vector<Symmetric3>& H) {
+    planes.resize(hits.size());
     H.resize(hits.size());
     scratch.x = hits.x, scratch.y = hits.y, scratch.z = hits.z;  // as measured, while hits move
     scratch.rows.build(scratch.x.data(), scratch.y.data(), scratch.z.data(), hits.size(),
@@ -171,7 +171,7 @@ void fitSurfels(const std::vector<KeptRay>& rays, Samples& hits, const Insertion
     const Fitter fitter(p, resolution);
     const BallSearch search(scratch, std::max(p.surface_range, resolution), resolution);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, hits.size(), 64), [&](const auto& r) {
-        fitRange(fitter, search, rays, scratch, r.begin(), r.end(), hits, surfels.data(), H.data());
+        fitRange(fitter, search, rays, scratch, r.begin(), r.end(), hits, planes.data(), H.data());
     });
 }
 

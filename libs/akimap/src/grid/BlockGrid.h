@@ -2,14 +2,14 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <akimap/KeyTable.h>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
+
+#include "grid/KeyTable.h"
 
 namespace akimap {
 
@@ -151,6 +151,11 @@ inline const Block* BlockGrid::find(const BlockIndex& b) const {
         return static_cast<int32_t>(static_cast<int64_t>(key >> shift & kMask) - kBias);
     };
     return {axis(0), axis(21), axis(42)};
+}
+/** The place in the map of a block whose key is relative to an anchor, a block's lowest cell. */
+[[nodiscard]] inline BlockGrid::BlockIndex blockInMap(uint64_t key, const CellIndex& anchor) {
+    const CellIndex b = unpackKey(key), a = BlockGrid::blockOf(anchor);
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
 }  // namespace akimap

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <string>
+
+#include "evaluation/contest/contest.h"
+
+namespace akimap::app {
+
+/** Draws the scan of result.view: its measured depth, and for each map the depth at which it stops
+ * the same rays and, below, where the two differ.
+ * \exception std::runtime_error naming the file, or if no scan was kept or it has no rays */
+void writeDepthPicture(const ContestResult& result, const std::string& file);
+
+}  // namespace akimap::app

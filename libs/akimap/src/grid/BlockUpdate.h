@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026, the akimap developers
+#pragma once
+
+#include <tbb/parallel_for.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "grid/BlockGrid.h"
+
+namespace akimap {
+
+/** The one way in which a scan changes a grid: some blocks are reserved, owned or made, changed in
+ * parallel, one task a block, and the new ones adopted. What may run out of memory comes before the
+ * first sum is changed. Keeps its memory between scans. */
+class BlockUpdate {
+ public:
+    /** \param n number of blocks, and \param placeOf(i) their places, each another
+     * \param update(i, Block&, fresh) adds the scan to block i and returns whether a cell of it
+     * gained evidence; the cells of a fresh block are uninitialized. Called in any order, from the
+     * threads of the caller's TBB arena; must not throw
+     * \return whether any cell gained evidence
+     * \exception std::bad_alloc with no sum changed */
+    template <class PlaceOf, class Update>
+    bool run(BlockGrid& grid, std::size_t n, PlaceOf&& placeOf, Update&& update) {
+        prepare(grid, n, placeOf);
+        tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+            gained_[i] = update(i, *blocks_[i], fresh_[i] != nullptr);
+        });
+        bool changed = false;
+        for (std::size_t i = 0; i < n; i++) {
+            if (!gained_[i]) continue;  // a bounding box can meet a block that its kernel misses
+            changed = true;
+            if (fresh_[i]) grid.adopt(placeOf(i), std::move(fresh_[i]));
+        }
+        fresh_.clear();
+        return changed;
+    }
+
+ private:
+    /** Allocates blocks whose cells are still to be written. */
+    template <class T>
+    struct Unwritten : std::allocator<T> {
+        template <class U>
+        struct rebind {
+            using other = Unwritten<U>;
+        };
+        Unwritten() = default;
+        template <class U>
+        explicit Unwritten(const Unwritten<U>&) {}
+        template <class U>
+        void construct(U* p) {
+            ::new (static_cast<void*>(p)) U;
+        }
+    };
+
+    template <class PlaceOf>
+    void prepare(BlockGrid& grid, std::size_t n, PlaceOf& placeOf) {
+        blocks_.assign(n, nullptr);
+        fresh_.assign(n, nullptr);
+        gained_.assign(n, 0);
+        grid.reserve(grid.blockCount() + n);
+        for (std::size_t i = 0; i < n; i++) blocks_[i] = grid.own(placeOf(i));
+        tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+            if (blocks_[i]) return;
+            fresh_[i] = std::allocate_shared<Block>(Unwritten<Block>());
+            blocks_[i] = fresh_[i].get();
+        });
+    }
+
+    std::vector<Block*> blocks_;
+    std::vector<std::shared_ptr<Block>> fresh_;  // those that the grid does not have yet
+    std::vector<char> gained_;
+};
+
+}  // namespace akimap
