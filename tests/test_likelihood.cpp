@@ -195,6 +195,38 @@ TEST(Likelihood, ManyThreadsAtOnceAgree) {
     for (const double sum : sums) EXPECT_EQ(sum, run());
 }
 
+TEST(Likelihood, BadOptionsSetInCodeAreNamed) {
+    AkiMap map = roomMap();
+    const auto expectRefusal = [&](const std::string& name, auto&& set) {
+        map.likelihoodOptions = {};
+        set(map.likelihoodOptions);
+        try {
+            map.computeObservationLikelihood(scan(), CPose3D());
+            ADD_FAILURE() << name << " was taken";
+        } catch (const std::invalid_argument& e) {
+            EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();
+        }
+    };
+    expectRefusal("p_outlier", [](auto& l) { l.p_outlier = 0; });
+    expectRefusal("p_unknown", [](auto& l) { l.p_unknown = 1; });
+    expectRefusal("sigma_hit", [](auto& l) { l.sigma_hit = -1; });
+    expectRefusal("decimation", [](auto& l) { l.decimation = 0; });
+    expectRefusal("independent_returns", [](auto& l) { l.independent_returns = 0; });
+}
+
+TEST(Likelihood, AReturnAtExactlyMaxRangeIsUsedFromEveryPose) {
+    AkiMap map = roomMap();
+    const auto at = [&](double length, double turn) {
+        return map.computeObservationLikelihood(onePoint(length, 0, 0.52),
+                                                CPose3D(0.1, 0.2, 0, turn, 0.01 * turn, 0));
+    };
+    map.insertionOptions.max_range = std::sqrt(9 + 0.52 * 0.52);
+    map.insertionOptions.min_range = map.insertionOptions.max_range;
+    for (int i = 0; i < 200; i++) EXPECT_NE(at(3, 0.03 * i), 0) << "turn " << i;
+    EXPECT_EQ(at(2.9, 0), 0);
+    EXPECT_EQ(at(3.1, 0), 0);
+}
+
 TEST(Likelihood, SwitchedOffItIsZeroAndSaysSo) {
     AkiMap map = roomMap();
     EXPECT_TRUE(map.canComputeObservationLikelihood(scan()));

@@ -111,6 +111,24 @@ CPose3D poseOf(bool flat) {
 
 }  // namespace
 
+TEST(SurfacePoints, AreNumbersForEveryPrior) {
+    // A prior that speaks for occupied makes no surface where nothing was hit.
+    for (const double prior_alpha : {1e-3, 0.5, 10.0}) {
+        AkiMap map = roomMap();
+        map.insertionOptions.prior_alpha = prior_alpha;
+        map.insertionOptions.prior_beta = 1e-3;
+        const auto points = map.surfacePoints();
+        ASSERT_FALSE(points.empty());
+        for (const TPoint3Df& p : points)
+            ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+        TPoint3Df nearest;
+        float distance = -1;
+        uint64_t index = 0;
+        ASSERT_TRUE(map.nn_single_search(points[3], nearest, distance, index));
+        EXPECT_EQ(distance, 0);
+    }
+}
+
 TEST(Matching, FindsThePairsThatBruteForceFinds) {
     const AkiMap map = roomMap();
     const CSimplePointsMap other = cloud(9, 200);

@@ -10,7 +10,8 @@
 /** Put before a function whose loops run on rows: it is compiled for plain
  * x86-64 and for AVX2, and the machine's best version is taken when the library
  * is loaded. */
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__x86_64__) && !defined(AKIMAP_PLAIN) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
 #define AKIMAP_MULTIVERSION [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #else
 #define AKIMAP_MULTIVERSION
