@@ -11,34 +11,34 @@ original=$scratch/build/original
 sources="CMakeLists.txt cmake libs apps benchmarks share"
 recordings=${RECORDINGS:-3}
 
-surfels=libs/akimap/src/estimators/surface/hit_planes.cpp
+planes=libs/akimap/src/estimators/surface/hit_planes.cpp
 balls=libs/akimap/src/estimators/surface/ball_moments.h
-marks=libs/akimap/src/estimators/surface/free_rays.cpp
+rays=libs/akimap/src/estimators/surface/free_rays.cpp
 evidence=libs/akimap/src/estimators/surface/evidence.cpp
-insert=libs/akimap/src/mrpt/AkiMap_insert.cpp
+options=libs/akimap/src/estimators/surface/options.cpp
 
 # The rows: row NAME [FILE EXPRESSION]..., EXPRESSION for sed -E. `to NAME VALUE` sets a constant.
 to() { printf '%s\n' "s/(\\b$1 = )[0-9.]+f?/\\1$2/"; }
 rows() {
     row 'as it is'
-    row '`free_radius` = 0.25 m' $insert 's/p\.free_radius/0.25/'
-    row '`free_radius` = 0.3 m' $insert 's/p\.free_radius/0.3/'
-    row '`free_radius` = 0.4 m' $insert 's/p\.free_radius/0.4/'
-    row 'hits stay where they are' $surfels 's/shift = normal \* .*;/shift.setZero();/'
+    row '`free_radius` = 0.25 m' $options 's/p\.free_radius \/ resolution/0.25 \/ resolution/'
+    row '`free_radius` = 0.3 m' $options 's/p\.free_radius \/ resolution/0.3 \/ resolution/'
+    row '`free_radius` = 0.4 m' $options 's/p\.free_radius \/ resolution/0.4 \/ resolution/'
+    row 'hits stay where they are' $planes 's/shift = normal \* .*;/shift.setZero();/'
     row 'β += b, the surface not first' $evidence 's/b \*= one - a;//'
     row 'α += a' $evidence "$(to kSurfaceWeight 1)"
     row 'faint tails count everywhere' $evidence "$(to kLeastSurface 0)"
-    row 'balls shrink towards the hit, not its plane' $marks 's/if \(s\.flat\)/if (false)/'
-    row '1 instead of 1.5 in ρ' $marks "$(to kClearance 1)"
+    row 'balls shrink towards the hit, not its plane' $rays 's/if \(s\.flat\)/if (false)/'
+    row '1 instead of 1.5 in ρ' $rays "$(to kClearance 1)"
     row '5 neighbours' $balls "$(to kEnough 5)"
     row '20 neighbours' $balls "$(to kEnough 20)"
-    row '0.6 h across the surface' $surfels "$(to kThinnest 0.6)"
-    row '1.2 h' $surfels "$(to kThinnest 1.2)"
-    row '2 √v along it' $surfels "$(to kWidth 2)"
-    row '4 √v' $surfels "$(to kWidth 4)"
-    row 'flat up to v1 = 0.1 v2' $surfels "$(to kFlat 0.1)"
-    row 'hits on lines as thick as wide' $surfels "$(to kLineThinnest 2)"
-    row 'no lines (but then 2D scans carve nothing)' $surfels "$(to kLine 0)"
+    row '0.6 h across the surface' $planes "$(to kThinnest 0.6)"
+    row '1.2 h' $planes "$(to kThinnest 1.2)"
+    row '2 √v along it' $planes "$(to kWidth 2)"
+    row '4 √v' $planes "$(to kWidth 4)"
+    row 'flat up to v1 = 0.1 v2' $planes "$(to kFlat 0.1)"
+    row 'hits on lines as thick as wide' $planes "$(to kLineThinnest 2)"
+    row 'no lines (but then 2D scans carve nothing)' $planes "$(to kLine 0)"
 }
 
 fail() { echo "ablations.sh: $*" >&2; exit 1; }

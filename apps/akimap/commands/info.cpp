@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
+#include "estimators/options.h"
 #include "grid/BlockGrid.h"
 #include "mapping/config.h"
 #include "pictures/MapCells.h"
@@ -36,16 +37,31 @@ Contents contentsOf(const AkiMap& map) {
     return c;
 }
 
+/** As they are used at this cell size, without those that the estimator in use does not take. */
+std::vector<OptionText> insertionInForce(const AkiMap& map) {
+    TInsertionOptions in_force;
+    static_cast<InsertionParameters&>(in_force) = map.optionsInForce();
+    std::vector<OptionText> options = describe(in_force);
+    visitEstimatorOptions(in_force, [&](Estimator estimator, const auto& o, auto&& visitOwn) {
+        if (estimator == in_force.estimator) return;
+        visitOwn(o, [&](const char* name, const auto&, const char*) {
+            options.erase(std::remove_if(options.begin(), options.end(),
+                                         [&](const auto& option) { return option.key == name; }),
+                          options.end());
+        });
+    });
+    return options;
+}
+
 /** A number or a truth value where the text is one. */
 nlohmann::json typed(const std::string& text) {
     const auto value = nlohmann::json::parse(text, nullptr, false);
     return value.is_discarded() ? nlohmann::json(text) : value;
 }
 
-template <class Options>
-nlohmann::ordered_json asJson(const Options& options) {
+nlohmann::ordered_json asJson(const std::vector<OptionText>& options) {
     nlohmann::ordered_json json;
-    for (const OptionText& option : describe(options)) json[option.key] = typed(option.value);
+    for (const OptionText& option : options) json[option.key] = typed(option.value);
     return json;
 }
 
@@ -59,9 +75,9 @@ void printJson(const AkiMap& map, const Contents& c) {
                                 {"bounds_max", {c.high.x, c.high.y, c.high.z}},
                                 {"blocks", c.blocks},
                                 {"map_bytes", c.bytes},
-                                {"insertion", asJson(map.insertionOptions)},
-                                {"likelihood", asJson(map.likelihoodOptions)},
-                                {"rendering", asJson(map.renderingOptions)}};
+                                {"insertion", asJson(insertionInForce(map))},
+                                {"likelihood", asJson(describe(map.likelihoodOptions))},
+                                {"rendering", asJson(describe(map.renderingOptions))}};
     std::cout << json.dump(2) << "\n";
 }
 
@@ -71,10 +87,9 @@ void row(const std::string& name, const Value& value, const std::string& unit = 
               << (unit.empty() ? "" : " ") << unit << "\n";
 }
 
-template <class Options>
-void printOptions(const std::string& title, const Options& options) {
+void printOptions(const std::string& title, const std::vector<OptionText>& options) {
     std::cout << title << "\n";
-    for (const OptionText& option : describe(options)) row(option.key, option.value);
+    for (const OptionText& option : options) row(option.key, option.value);
 }
 
 std::string pointText(const mrpt::math::TPoint3D& p) {
@@ -93,9 +108,9 @@ void printText(const AkiMap& map, const Contents& c) {
     const double cells = static_cast<double>(std::max<std::size_t>(1, c.occupied + c.free));
     row("memory", mrpt::format("%zu bytes in %zu blocks, %.1f a cell", c.bytes, c.blocks,
                                static_cast<double>(c.bytes) / cells));
-    printOptions("insertion options", map.insertionOptions);
-    printOptions("likelihood options", map.likelihoodOptions);
-    printOptions("rendering options", map.renderingOptions);
+    printOptions("insertion options in force", insertionInForce(map));
+    printOptions("likelihood options", describe(map.likelihoodOptions));
+    printOptions("rendering options", describe(map.renderingOptions));
 }
 
 }  // namespace
@@ -105,8 +120,8 @@ void addInfo(CLI::App& app) {
         std::string map;
         bool json = false;
     };
-    auto* command =
-        app.add_subcommand("info", "Print a map's contents, bounds, memory and options");
+    auto* command = app.add_subcommand(
+        "info", "Print a map's contents, bounds, memory and the options in force");
     const auto request = std::make_shared<InfoRequest>();
     command->add_option("MAP", request->map, "The map (.akimap)")->required();
     command->add_flag("--json", request->json, "Print it as JSON");
