@@ -48,7 +48,8 @@ demo: configure
 test: all
 	@cd $(BUILD) && ctest --output-on-failure --progress -j$(JOBS)
 
-# BENCHMARK.md and its pictures: every figure in them, in some ten minutes.
+# BENCHMARK.md and its pictures: every figure in them, in less than 20 minutes. benchmarks/data.sh
+# makes the recordings.
 benchmark: export LA3DM_DIR ?= $(AKIMAP_DATA)/la3dm
 benchmark: configure
 	@cmake --build $(BUILD) -j$(JOBS) --target benchmark_report -- --no-print-directory
