@@ -96,6 +96,9 @@ TEST(Report, OpensWithWhatIsLost) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("0.600 / 0.700"), std::string::npos);
+    EXPECT_NE(text.find("is worse at it than OctoMap"), std::string::npos);
+    std::swap(report.real[0].akimap, report.real[0].octomap);
+    EXPECT_EQ(openingOf(report).find("is worse"), std::string::npos) << "it is not, on half";
     EXPECT_NE(text.find("- office: near3 0.800 (OctoMap: 0.900), early.\n- b: c.\n"),
               std::string::npos);
 }
