@@ -393,6 +393,27 @@ TEST(DepthPicture, ShowsWhatIsBlockedInRedAndMissesInBlue) {
     EXPECT_NEAR(pixelsOf(204, 13, 20), kPanel, kPanel / 50) << "a phantom wall";
     EXPECT_NEAR(pixelsOf(219, 219, 214), kPanel, kPanel / 50) << "the right one";
     EXPECT_LT(pixelsOf(33, 94, 204), kPanel / 50) << "no more than the legend's";
+
+    const auto colourful = [&] {
+        int count = 0;
+        for (unsigned y = 0; y < picture.getHeight(); y++)
+            for (unsigned x = 0; x < picture.getWidth(); x++) {
+                const uint8_t* bgr = picture(static_cast<int>(x), static_cast<int>(y));
+                const auto [low, high] = std::minmax({bgr[0], bgr[1], bgr[2]});
+                count += high - low > 30;
+            }
+        return count;
+    };
+    // The scan's depth, both maps', and the phantoms; then only what is of the map that was not
+    // told the scan.
+    EXPECT_NEAR(colourful(), 4 * kPanel, kPanel / 5);
+    auto secret = result;
+    secret.maps[0].sees_held_out = true;
+    writeDepthPicture(secret, file, DepthSource::maps_alone);
+    ASSERT_TRUE(picture.loadFromFile(file));
+    EXPECT_NEAR(colourful(), 2 * kPanel, kPanel / 5);
+    EXPECT_NEAR(pixelsOf(204, 13, 20), kPanel, kPanel / 50);
+
     auto not_kept = result;
     not_kept.view.reset();
     EXPECT_THROW(writeDepthPicture(not_kept, file), std::runtime_error);

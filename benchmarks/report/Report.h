@@ -9,6 +9,17 @@
 
 namespace akimap::bench {
 
+/** Where a map stops the rays of scans that it never got: shares of them. */
+struct StopShares {
+    double near1, near3, early, phantom, miss;
+};
+
+/** The report's first question, asked of one recording. */
+struct HeadToHead {
+    std::string recording;
+    StopShares akimap, octomap;
+};
+
 /** What all sections share. */
 struct Report {
     std::string pictures;                           ///< folder to write into
@@ -17,6 +28,7 @@ struct Report {
     std::function<void(const std::string&)> doing;  ///< gets what comes next, for people who wait
     /** Where AkiMap is not the best: a scene and a figure. Filled by the sections. */
     std::vector<std::pair<std::string, std::string>> lost;
+    std::vector<HeadToHead> real;  ///< of each real recording, in their order
 };
 
 }  // namespace akimap::bench

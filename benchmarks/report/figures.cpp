@@ -12,21 +12,16 @@ namespace akimap::bench {
 namespace {
 
 using app::Evaluation;
-using Better = Column::Better;
 
-/** NaN if no row has a figure. */
-double bestOf(const std::vector<Row>& rows, std::size_t column, Better better) {
+/** NaN if no value is a number. */
+double bestOf(const Contested& figure, std::size_t competing) {
     double best = std::numeric_limits<double>::quiet_NaN();
-    if (better == Better::neither) return best;
-    for (const Row& r : rows) {
-        const double v = r.means[column];
-        if (std::isnan(best) || (better == Better::higher ? v > best : v < best)) best = v;
+    if (figure.better == Better::neither) return best;
+    for (std::size_t i = 0; i < competing; i++) {
+        const double v = figure.values[i];
+        best = figure.better == Better::higher ? std::fmax(best, v) : std::fmin(best, v);
     }
     return best;
-}
-
-bool isAsGood(double value, double best) {
-    return std::abs(value - best) < 5e-4;  // the same in three decimals, or nearly
 }
 
 double deviation(const std::vector<double>& values, double mean) {
@@ -53,19 +48,24 @@ const std::vector<Column>& accuracyColumns() {
     return columns;
 }
 
-const std::vector<Column>& heldOutColumns() {
-    static const std::vector<Column> columns = {
-        {"known AUC", [](const Evaluation& e) { return e.known.auc; }, Better::higher},
-        {"known Brier", [](const Evaluation& e) { return e.known.mse; }, Better::lower},
-        {"known log-loss", [](const Evaluation& e) { return e.known.log_loss; }, Better::lower},
-        {"known ECE", [](const Evaluation& e) { return e.known.calibration_error; }, Better::lower},
-        {"all AUC", [](const Evaluation& e) { return e.all.auc; }, Better::higher},
-        {"all Brier", [](const Evaluation& e) { return e.all.mse; }, Better::lower},
-        {"all log-loss", [](const Evaluation& e) { return e.all.log_loss; }, Better::lower},
-        {"all ECE", [](const Evaluation& e) { return e.all.calibration_error; }, Better::lower},
-        {"coverage", [](const Evaluation& e) { return e.coverage; }, Better::higher},
-    };
-    return columns;
+std::vector<std::string> cellsOf(const Contested& figure, const std::vector<std::string>& methods,
+                                 std::size_t competing, const std::string& where,
+                                 std::vector<std::pair<std::string, std::string>>& lost) {
+    const double best = bestOf(figure, competing);
+    const double same = 0.5 * std::pow(10.0, -figure.decimals);  // as printed, or nearly
+    std::vector<std::string> cells;
+    std::string winner;
+    for (std::size_t i = 0; i < methods.size(); i++) {
+        const bool is_best = i < competing && std::abs(figure.values[i] - best) < same;
+        if (is_best && winner.empty()) winner = methods[i];
+        const std::string text = fixed(figure.values[i], figure.decimals);
+        cells.push_back(is_best ? bold(text) : text);
+    }
+    const bool is_first_best = winner == methods.front();
+    if (!winner.empty() && !is_first_best)
+        lost.emplace_back(where, figure.name + " " + fixed(figure.values[0], figure.decimals) +
+                                     " (" + winner + ": " + fixed(best, figure.decimals) + ")");
+    return cells;
 }
 
 Row summarize(const std::string& name, const std::vector<Column>& columns,
@@ -91,27 +91,21 @@ std::string tableOf(const std::vector<Row>& rows, const std::vector<Column>& col
     header.insert(header.end(), {"σ ≤", "runs"});
     header.insert(header.end(), more.begin(), more.end());
     MarkdownTable table(header);
-    std::vector<double> best;
-    for (std::size_t i = 0; i < columns.size(); i++)
-        best.push_back(bestOf(rows, i, columns[i].better));
-    for (const Row& r : rows) {
-        std::vector<std::string> cells = {r.name};
-        for (std::size_t i = 0; i < columns.size(); i++) {
-            const std::string text = fixed(r.means[i], 3);
-            cells.push_back(isAsGood(r.means[i], best[i]) ? bold(text) : text);
-        }
-        cells.push_back(fixed(r.largest_deviation, 3));
-        cells.push_back(std::to_string(r.runs));
-        cells.insert(cells.end(), r.more.begin(), r.more.end());
-        table.add(std::move(cells));
-    }
+    std::vector<std::string> names;
+    for (const Row& r : rows) names.push_back(r.name);
+    std::vector<std::vector<std::string>> cells;  // by column
     for (std::size_t i = 0; i < columns.size(); i++) {
-        if (std::isnan(best[i]) || isAsGood(rows.front().means[i], best[i])) continue;
-        const auto winner = std::find_if(rows.begin(), rows.end(),
-                                         [&](const Row& r) { return r.means[i] == best[i]; });
-        lost.emplace_back(where, std::string(columns[i].name) + " " +
-                                     fixed(rows.front().means[i], 3) + " (" + winner->name + ": " +
-                                     fixed(best[i], 3) + ")");
+        Contested figure{columns[i].name, columns[i].better, {}};
+        for (const Row& r : rows) figure.values.push_back(r.means[i]);
+        cells.push_back(cellsOf(figure, names, rows.size(), where, lost));
+    }
+    for (std::size_t r = 0; r < rows.size(); r++) {
+        std::vector<std::string> row = {names[r]};
+        for (const auto& column : cells) row.push_back(column[r]);
+        row.push_back(fixed(rows[r].largest_deviation, 3));
+        row.push_back(std::to_string(rows[r].runs));
+        row.insert(row.end(), rows[r].more.begin(), rows[r].more.end());
+        table.add(std::move(row));
     }
     return table.text();
 }

@@ -10,16 +10,32 @@
 
 namespace akimap::bench {
 
+/** Which of two figures wins. */
+enum class Better { higher, lower, neither };
+
+/** What all methods came to in one figure: a column of a table. */
+struct Contested {
+    std::string name;
+    Better better;
+    std::vector<double> values;  ///< by method
+    int decimals = 3;
+};
+/** The figures as text, the best in bold, equally good ones too.
+ * \param methods their names
+ * \param competing so many of them, the first ones, can be the best
+ * \param where a place; if the first method is not the best there, `lost` gets an entry */
+[[nodiscard]] std::vector<std::string> cellsOf(
+    const Contested& figure, const std::vector<std::string>& methods, std::size_t competing,
+    const std::string& where, std::vector<std::pair<std::string, std::string>>& lost);
+
 /** One column of a table of accuracy. */
 struct Column {
     const char* name;
     double (*value)(const app::Evaluation&);
-    enum class Better { higher, lower, neither } better;
+    Better better;
 };
 /** Against a truth. */
 [[nodiscard]] const std::vector<Column>& accuracyColumns();
-/** Against held-out scans. */
-[[nodiscard]] const std::vector<Column>& heldOutColumns();
 
 /** One method's figures over several runs. */
 struct Row {

@@ -31,12 +31,19 @@ std::vector<Scene> recordingsOf(const Place& place) {
     return scenes;
 }
 
-std::vector<Place> placesWithTruth(int recordings) {
+std::vector<Place> la3dmAsShipped() {
+    const Scene scene = la3dmStructured();
+    if (scene.scans.empty()) return {};
+    return {{scene.name, "la3dm",
+             "Beside the paper's figures, and for nothing else: the sensor's height in these files "
+             "is 0.3 m too low, which rewards a map for ignoring what its rays saw, and constants "
+             "of the default were chosen on them. One recording of 12 scans, so that only random "
+             "methods vary.",
+             1, wallAndFloor(6, 2, 7, 0.1), [scene](uint64_t) { return scene; }}};
+}
+
+std::vector<Place> simulatedPlaces(int recordings) {
     std::vector<Place> places;
-    if (Scene scene = la3dmStructured(); !scene.scans.empty())
-        places.push_back({scene.name, "la3dm",
-                          "One recording of 12 scans, so that only random methods vary.", 1,
-                          wallAndFloor(6, 2, 7, 0.1), [scene](uint64_t) { return scene; }});
     places.push_back(
         {"structured", "structured",
          "A simulated room of 10 x 7 x 2 m with boxes, shelves and pillars; 12 scans by a depth "

@@ -22,8 +22,11 @@ struct Place {
 };
 [[nodiscard]] std::vector<Scene> recordingsOf(const Place& place);
 
-/** LA3DM's scene, if it is there; then the simulated ones.
- * \param recordings of each simulated scene */
-[[nodiscard]] std::vector<Place> placesWithTruth(int recordings);
+/** \param recordings of each simulated scene */
+[[nodiscard]] std::vector<Place> simulatedPlaces(int recordings);
+
+/** LA3DM's structured scene with the sensor's height that its files name; none if it is not there.
+ */
+[[nodiscard]] std::vector<Place> la3dmAsShipped();
 
 }  // namespace akimap::bench

@@ -39,6 +39,7 @@ class Judge {
         for (const Entrant& e : entrants) {
             result_.maps.emplace_back();
             result_.maps.back().name = e.name, result_.maps.back().what = e.what;
+            result_.maps.back().sees_held_out = e.sees_held_out;
         }
         result_.answers.of_map.resize(entrants.size());
         close_answers_.of_map.resize(entrants.size());
@@ -209,6 +210,12 @@ ContestResult holdContest(const Recording& recording, const std::vector<Entrant>
     for (std::size_t fold = 0; fold < (rules.all_folds ? rules.every : 1); fold++)
         judge.judgeFold(recording, fold);
     return judge.finish();
+}
+
+const MapResult* referenceOf(const ContestResult& result) {
+    const auto found = std::find_if(result.maps.begin(), result.maps.end(),
+                                    [](const MapResult& m) { return m.name == kReferenceEntrant; });
+    return found == result.maps.end() ? nullptr : &*found;
 }
 
 PairedDifference pairedDifference(const MapResult& map, const MapResult& reference,

@@ -41,6 +41,7 @@ struct ScanShares {
 /** All figures of one map, over all folds. */
 struct MapResult {
     std::string name, what;
+    bool sees_held_out = false;  ///< Entrant::sees_held_out
     RayTally rays;
     std::vector<ScanShares> by_scan;  ///< in the order judged; scans without rays are left out
     Faithfulness faithfulness;
@@ -73,6 +74,9 @@ struct ContestResult {
 [[nodiscard]] ContestResult holdContest(const Recording& recording,
                                         const std::vector<Entrant>& entrants,
                                         const ContestRules& rules);
+
+/** The map named kReferenceEntrant, if it took part. Points into the result. */
+[[nodiscard]] const MapResult* referenceOf(const ContestResult& result);
 
 /** How a figure differs from the reference's, scan by scan. NaN without scans. */
 struct PairedDifference {

@@ -47,12 +47,6 @@ std::string number(double value, const char* format = "%.3f") {
     return std::isfinite(value) ? mrpt::format(format, value) : "-";
 }
 
-const MapResult* referenceOf(const ContestResult& result) {
-    const auto found = std::find_if(result.maps.begin(), result.maps.end(),
-                                    [](const MapResult& m) { return m.name == kReferenceEntrant; });
-    return found == result.maps.end() ? nullptr : &*found;
-}
-
 class Table {
  public:
     Table(const ContestResult& result, std::ostream& out) : result_(result), out_(out) {}

@@ -63,14 +63,21 @@ DepthRange depthRange(const std::vector<Ray>& rays) {
 /** Lays out and draws one scan. */
 class DepthPicture {
  public:
-    DepthPicture(const ContestResult& result, const ScanView& view)
-        : result_(result), view_(view), project_(view.rays), depths_(depthRange(view.rays)) {
+    DepthPicture(const ContestResult& result, const ScanView& view, DepthSource source)
+        : result_(result),
+          view_(view),
+          with_scan_(source == DepthSource::scan_and_maps),
+          project_(view.rays),
+          depths_(depthRange(view.rays)) {
+        for (std::size_t i = 0; i < result.maps.size(); i++)
+            if (with_scan_ || !result.maps[i].sees_held_out) shown_.push_back(i);
         const double aspect = std::min(project_.aspect(), kFlattest);
         width_ = aspect < kWide ? kPanelWidth : kPanoramaWidth;
         height_ = std::min(width_ / aspect, 1.2 * width_);
         columns_ = aspect < kWide ? 4 : 3;
-        columns_ = std::min(columns_, static_cast<int>(result.maps.size()) + 1);
-        rows_ = (static_cast<int>(result.maps.size()) + columns_) / columns_;  // one for the scan
+        const int maps = static_cast<int>(shown_.size());
+        columns_ = std::min(columns_, maps + 1);
+        rows_ = (maps + columns_) / columns_;  // one card for the scan
         splat_ = kOverlap * std::sqrt(width_ * height_ / static_cast<double>(view.rays.size()));
     }
 
@@ -79,8 +86,8 @@ class DepthPicture {
                       kHeader + rows_ * cardHeight() + kMargin);
         drawHeader(canvas);
         drawMeasured(canvas, cardAt(0));
-        for (std::size_t i = 0; i < result_.maps.size(); i++)
-            drawMap(canvas, cardAt(static_cast<int>(i) + 1), i);
+        for (std::size_t i = 0; i < shown_.size(); i++)
+            drawMap(canvas, cardAt(static_cast<int>(i) + 1), shown_[i]);
         return canvas.finish();
     }
 
@@ -132,10 +139,12 @@ class DepthPicture {
     }
 
     void drawMeasured(Canvas& canvas, Canvas::Point card) const {
-        caption(canvas, card, "The scan",
-                project_.isPanorama() ? "measured depth, all round" : "measured depth");
-        drawRays(canvas, upper(card),
-                 [&](std::size_t i) { return depths_.color(Beam(view_.rays[i]).length); });
+        if (with_scan_) {
+            caption(canvas, card, "The scan",
+                    project_.isPanorama() ? "measured depth, all round" : "measured depth");
+            drawRays(canvas, upper(card),
+                     [&](std::size_t i) { return depths_.color(Beam(view_.rays[i]).length); });
+        }
         drawLegend(canvas, lower(card));
     }
 
@@ -177,6 +186,8 @@ class DepthPicture {
 
     const ContestResult& result_;
     const ScanView& view_;
+    bool with_scan_;
+    std::vector<std::size_t> shown_;  // of result_.maps
     ScanProjection project_;
     DepthRange depths_;
     double width_, height_, splat_;  // [points] of a panel; of a ray in it
@@ -185,12 +196,12 @@ class DepthPicture {
 
 }  // namespace
 
-void writeDepthPicture(const ContestResult& result, const std::string& file) {
+void writeDepthPicture(const ContestResult& result, const std::string& file, DepthSource source) {
     if (!result.view)
         throw std::runtime_error("'" + file + "': the scan to draw is not one of those held out");
     if (result.view->rays.empty())
         throw std::runtime_error("'" + file + "': the scan to draw has no point within range");
-    writeWhole(file, DepthPicture(result, *result.view).draw());
+    writeWhole(file, DepthPicture(result, *result.view, source).draw());
 }
 
 }  // namespace akimap::app
