@@ -212,12 +212,15 @@ TEST(CorruptMap, SectionsAreWhereAndWhatTheyMustBe) {
         Parts without = parts;
         without.erase(without.begin() + (&part(without, tag) - without.data()));
         expectRefused(streamOf(without), tag == std::string("BLKS")
-                                             ? "its cells are not those of its blocks"
+                                             ? "section CELL comes before BLKS"
                                              : std::string("section ") + tag + " is missing");
     }
     Parts changed = parts;
     std::swap(changed[0], changed[1]);
     expectRefused(streamOf(changed), "its first section is not HEAD");
+    changed = parts;
+    std::swap(part(changed, "BLKS"), part(changed, "CELL"));
+    expectRefused(streamOf(changed), "section CELL comes before BLKS");
     changed = parts;
     changed.insert(changed.begin() + 1, part(changed, "INSO"));
     expectRefused(streamOf(changed), "section INSO twice");

@@ -6,6 +6,7 @@
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/opengl/COctoMapVoxels.h>
 #include <mrpt/opengl/CPointCloudColoured.h>
+#include <mrpt/system/CObserver.h>
 #include <tbb/global_control.h>
 
 #include <sys/resource.h>
@@ -245,6 +246,60 @@ TEST(AkiMap, SerializationKeepsEverything) {
     EXPECT_EQ(back.likelihoodOptions.decimation, 3u);
     EXPECT_TRUE(back.renderingOptions.show_free);
     EXPECT_FALSE(back.genericMapParams.enableSaveAs3DObject);
+}
+
+TEST(AkiMap, CopiesAreNotWatchedByTheOriginalsObservers) {
+    struct Listener : mrpt::system::CObserver {
+        int events = 0;
+        void OnEvent(const mrpt::system::mrptEvent&) override { events++; }
+    };
+    AkiMap map = smallMap();
+    Listener listener;
+    listener.observeBegin(map);
+    {
+        AkiMap copy = map;  // whose end must not wait for an observer that does not know it
+        copy.clear();
+    }
+    EXPECT_EQ(listener.events, 0);
+    map = AkiMap(0.2);  // goes on being watched
+    map.clear();
+    EXPECT_GT(listener.events, 0);
+    listener.observeEnd(map);
+}
+
+TEST(AkiMap, OptionsThatCouldNotBeReadBackAreNotWritten) {
+    const TemporaryFolder folder;
+    AkiMap map = smallMap();
+    map.saveToFile(folder.file("m.akimap"));
+    const auto expectRefusal = [&](const std::string& name, auto&& set) {
+        AkiMap copy = map;
+        set(copy);
+        try {
+            copy.saveToFile(folder.file("m.akimap"));
+            ADD_FAILURE() << name << " was written";
+        } catch (const std::exception& e) {
+            EXPECT_NE(std::string(e.what()).find(name), std::string::npos) << e.what();
+        }
+        EXPECT_EQ(fingerprint(*AkiMap::loadFromFile(folder.file("m.akimap"))), fingerprint(map));
+    };
+    expectRefusal("threshold", [](AkiMap& m) { m.renderingOptions.threshold = 1; });
+    expectRefusal("decimation", [](AkiMap& m) { m.likelihoodOptions.decimation = 0; });
+    expectRefusal("max_range", [](AkiMap& m) { m.insertionOptions.max_range = -1; });
+    expectRefusal("estimator",
+                  [](AkiMap& m) { m.insertionOptions.estimator = static_cast<Estimator>(7); });
+}
+
+TEST(AkiMap, ThreadsAreTheReadersOwn) {
+    AkiMap map = smallMap();
+    map.insertionOptions.threads = 3;
+    mrpt::io::CMemoryStream stream;
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    archive << map;
+    stream.Seek(0);
+    AkiMap reader;
+    reader.insertionOptions.threads = 1;
+    archive >> reader;
+    EXPECT_EQ(reader.insertionOptions.threads, 1u);
 }
 
 TEST(AkiMap, CopiesGoOnAsTheOriginalWould) {

@@ -94,6 +94,8 @@ TEST(CastRay, RefusesWhatIsNoRay) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(static_cast<void>(castRay(map, {nan, 0, 0}, {1, 0, 0}, 1)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(castRay(map, {0, 0, 0}, {0, 0, 0}, 1)), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(castRay(map, {0, 0, 0}, {1e200, 0, 0}, 1)),
+                 std::invalid_argument);
     EXPECT_THROW(static_cast<void>(castRay(map, {0, 0, 0}, {1, 0, 0}, -1)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(castRay(map, {0, 0, 0}, {1, 0, 0}, 1, 1)),
                  std::invalid_argument);

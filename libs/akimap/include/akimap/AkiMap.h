@@ -67,7 +67,7 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     MAP_DEFINITION_END(AkiMap)
 
     /** Inserts one scan given as rays [m], map frame. Unusable rays are skipped and counted. Scans
-     * are numbered as they are offered; the number is part of the map. \return whether the map
+     * with a usable ray are numbered; the next number is part of the map. \return whether the map
      * changed \exception std::invalid_argument if insertionOptions are invalid, std::bad_alloc; the
      * map is unchanged then */
     bool insertRays(const std::vector<Ray>& rays);

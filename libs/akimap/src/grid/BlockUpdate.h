@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -25,10 +26,21 @@ class BlockUpdate {
      * \exception std::bad_alloc with no sum changed */
     template <class PlaceOf, class Update>
     bool run(BlockGrid& grid, std::size_t n, PlaceOf&& placeOf, Update&& update) {
-        prepare(grid, n, placeOf);
-        tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
+        try {
+            prepare(grid, n, placeOf);
+        } catch (...) {
+            fresh_.clear();  // there is no memory to keep
+            throw;
+        }
+        const auto updateOne = [&](std::size_t i) {
             gained_[i] = update(i, *blocks_[i], fresh_[i] != nullptr);
-        });
+        };
+        try {
+            tbb::parallel_for(std::size_t{0}, n, updateOne);
+        } catch (const std::bad_alloc&) {  // of a task: the rest goes without
+            for (std::size_t i = 0; i < n; i++)
+                if (gained_[i] == kPending) updateOne(i);
+        }
         bool changed = false;
         for (std::size_t i = 0; i < n; i++) {
             if (!gained_[i]) continue;  // a bounding box can meet a block that its kernel misses
@@ -60,7 +72,7 @@ class BlockUpdate {
     void prepare(BlockGrid& grid, std::size_t n, PlaceOf& placeOf) {
         blocks_.assign(n, nullptr);
         fresh_.assign(n, nullptr);
-        gained_.assign(n, 0);
+        gained_.assign(n, kPending);
         grid.reserve(grid.blockCount() + n);
         for (std::size_t i = 0; i < n; i++) blocks_[i] = grid.own(placeOf(i));
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
@@ -70,9 +82,10 @@ class BlockUpdate {
         });
     }
 
+    static constexpr char kPending = 2;
     std::vector<Block*> blocks_;
     std::vector<std::shared_ptr<Block>> fresh_;  // those that the grid does not have yet
-    std::vector<char> gained_;
+    std::vector<char> gained_;                   // whether a cell of it did, or kPending
 };
 
 }  // namespace akimap

@@ -15,16 +15,17 @@ AkiMap::AkiMap(double resolution) : impl_(std::make_unique<AkiMapImpl>(resolutio
 AkiMap::~AkiMap() = default;
 
 AkiMap::AkiMap(const AkiMap& o)
-    : mrpt::maps::CMetricMap(o),
-      insertionOptions(o.insertionOptions),
+    : insertionOptions(o.insertionOptions),
       likelihoodOptions(o.likelihoodOptions),
       renderingOptions(o.renderingOptions),
-      impl_(std::make_unique<AkiMapImpl>(*o.impl_)) {}
+      impl_(std::make_unique<AkiMapImpl>(*o.impl_)) {
+    genericMapParams = o.genericMapParams;  // not by the base's copy: that takes its observers too
+}
 
 AkiMap& AkiMap::operator=(const AkiMap& o) {
     if (this == &o) return *this;
     BlockGrid grid = o.impl_->grid;  // may run out of memory: before anything changes
-    mrpt::maps::CMetricMap::operator=(o);
+    genericMapParams = o.genericMapParams;
     insertionOptions = o.insertionOptions;
     likelihoodOptions = o.likelihoodOptions;
     renderingOptions = o.renderingOptions;

@@ -38,6 +38,14 @@ ReadBytes readerOf(CArchive& in) {
     };
 }
 
+/** Little endian, as every machine that MRPT's packages are built for. */
+template <class Number>
+Number readNumber(const ReadBytes& read) {
+    Number v{};
+    read(&v, sizeof v);
+    return v;
+}
+
 /** \return the version */
 uint8_t readFrameHead(CArchive& in) {
     const auto length = in.ReadAs<uint8_t>();
@@ -90,6 +98,9 @@ uint8_t AkiMap::serializeGetVersion() const {
 }
 
 void AkiMap::serializeTo(CArchive& out) const {
+    insertionOptions.validate();  // what was set in code: no map is written that can't be read
+    likelihoodOptions.validate();
+    renderingOptions.validate();
     const WriteBytes write = [&](const void* bytes, std::size_t n) { out.WriteBuffer(bytes, n); };
     const auto flag = [](bool v) { return std::string(v ? "1" : "0"); };
     const auto& g = genericMapParams;
@@ -116,6 +127,7 @@ void AkiMap::serializeFrom(CArchive& in, uint8_t version) {
         loaded.readFormat1Or2(in, version);
     else
         loaded.readSections(in);
+    loaded.insertionOptions.threads = insertionOptions.threads;  // no part of a map
     *this = std::move(loaded);
 }
 
@@ -152,8 +164,10 @@ void AkiMap::readSections(CArchive& in) {
             renderingOptions.fromText(section.name(), section.readText());
         else if (tag == kBlocksTag)
             blocks = readBlocks(section);
-        else if (tag == kCellsTag)
+        else if (tag == kCellsTag && met.count(kBlocksTag))
             readCells(section, blocks, impl_->grid);
+        else if (tag == kCellsTag)
+            throw CorruptMap("section CELL comes before BLKS");
         else
             section.skip();
     }
@@ -162,7 +176,8 @@ void AkiMap::readSections(CArchive& in) {
 }
 
 void AkiMap::readFormat1Or2(CArchive& in, uint8_t version) {
-    setResolution(in.ReadAs<double>());
+    const auto read = readerOf(in);
+    setResolution(readNumber<double>(read));
     in >> genericMapParams;
     requireBool(genericMapParams.enableSaveAs3DObject);
     requireBool(genericMapParams.enableObservationLikelihood);
@@ -170,13 +185,12 @@ void AkiMap::readFormat1Or2(CArchive& in, uint8_t version) {
     insertionOptions.readFromStream(in, version);
     likelihoodOptions.readFromStream(in, version);
     renderingOptions.readFromStream(in, version);
-    impl_->next_scan = in.ReadAs<uint64_t>();
-    const auto read = readerOf(in);
-    const auto count = in.ReadAs<uint64_t>();
+    impl_->next_scan = readNumber<uint64_t>(read);
+    const auto count = readNumber<uint64_t>(read);
     BlockGrid::BlockIndex previous;
     for (uint64_t i = 0; i < count; i++) {
         BlockGrid::BlockIndex b;
-        in >> b.x >> b.y >> b.z;
+        for (int32_t* v : {&b.x, &b.y, &b.z}) *v = readNumber<int32_t>(read);
         checkPlace(i > 0 ? &previous : nullptr, b);
         impl_->grid.adopt(b, readBlock(read));
         previous = b;

@@ -42,7 +42,7 @@ void lower(FreeConfidence& least_sure, const TPoint3D& place, double confidence)
 RayCast castRay(const AkiMap& map, const TPoint3D& origin, const TVector3D& direction,
                 double max_range, double threshold) {
     requireThreshold(threshold);
-    require(isFinite(origin) && isFinite(direction) && direction.norm() > 0,
+    require(isFinite(origin) && std::isfinite(direction.norm()) && direction.norm() > 0,
             "ray: must be finite, its direction not zero");
     require(std::isfinite(max_range) && max_range >= 0, "max_range: must be finite and >= 0");
     const MapView view = viewOf(map);

@@ -41,6 +41,7 @@ void warnOfIdleOptions(const InsertionParameters& p) {
     static std::mutex one_at_a_time;
     static std::set<std::string> told;
     const std::lock_guard lock(one_at_a_time);
+    p.validate();
     const char* estimator = enumNames(p.estimator)[static_cast<std::size_t>(p.estimator)];
     for (const std::string& name : idleOptions(p))
         if (told.insert(name).second)

@@ -22,7 +22,7 @@ struct PointList {
     std::size_t count = 0;
     std::vector<uint32_t> boxes, inner_boxes;  // scratch of findPoints()
     void reserve(std::size_t n) {
-        if (n <= x.size()) return;
+        if (n <= z.size()) return;  // the last: the others may be longer, if memory ran out
         for (auto* v : {&x, &y, &z}) v->resize(2 * n);
     }
     /** Replaces `found` by the points in the box, in order. */

@@ -77,7 +77,10 @@ AtomicFile::AtomicFile(const std::string& target) : target_(target) {
     if (!is_there && errno != ENOENT) refuse();
     if (is_there && S_ISDIR(older.st_mode)) throwCannotWrite(target, "it is a folder");
     if (is_there && access(target.c_str(), W_OK) != 0) refuse();
-    if (is_there && !S_ISREG(older.st_mode)) {
+    // /dev/stdout may be a regular file, of which others hold the end.
+    const auto isIn = [&](const char* place) { return target.rfind(place, 0) == 0; };
+    const bool is_stream = isIn("/dev/std") || isIn("/dev/fd/") || isIn("/proc/");
+    if (is_there && (is_stream || !S_ISREG(older.st_mode))) {
         path_ = target;
         return;
     }

@@ -52,7 +52,9 @@ bool scatter(PaperWorkspace& w, BlockGrid& grid) {
     };
     const auto add = [&](std::size_t b, Block& block, bool fresh) {
         if (fresh) block.alpha.fill(0), block.beta.fill(0);
-        return addKernels(w.kernels, b, w.samples.occupied, block.alpha.data(), block.beta.data());
+        const bool reached =
+            addKernels(w.kernels, b, w.samples.occupied, block.alpha.data(), block.beta.data());
+        return reached && !(fresh && block.isEmpty());  // a kernel's edge may round to nothing
     };
     return w.update.run(grid, w.kernels.keys.size(), placeOf, add);
 }

@@ -84,7 +84,8 @@ void ScaleProblem::add(float u, bool positive) {
 
 void ScaleProblem::startRow() {
     rows_end_ += 4;
-    if (rows_end_ > r_.size()) r_.resize(2 * rows_end_), target_.resize(2 * rows_end_);
+    if (rows_end_ > target_.size())  // the last: r_ may be longer, if memory ran out
+        r_.resize(2 * rows_end_), target_.resize(2 * rows_end_);
     for (std::size_t i = size_; i < rows_end_; i++) r_[i] = kFar, target_[i] = 0;
 }
 

@@ -18,13 +18,14 @@ struct ScanBlock {
     const uint16_t* power;
 };
 
-/** Scales both down where they are more than the bound in sum, but not to denormal numbers, which
- * are slow. */
-AKIMAP_INLINE void boundSum(float bound, Row& alpha, Row& beta) {
+/** Scales both down where they gained and are more than the bound in sum, but not to denormal
+ * numbers, which are slow. */
+AKIMAP_INLINE void boundSum(RowMask gains, float bound, Row& alpha, Row& beta) {
     constexpr Row one = {1, 1, 1, 1, 1, 1, 1, 1};
     const Row sum = alpha + beta;
-    if (!bitsOf(sum > bound)) return;
-    const Row scale = sum > bound ? bound / sum : one;
+    const RowMask over = gains & (sum > bound);
+    if (!bitsOf(over)) return;
+    const Row scale = over ? bound / sum : one;
     for (Row* v : {&alpha, &beta}) {
         const Row least = *v < 1e-20f ? *v : 1e-20f * one, scaled = *v * scale;
         *v = scaled > least ? scaled : least;
@@ -55,9 +56,10 @@ AKIMAP_INLINE bool addRows(const ScanBlock& scan, float inverse_limit, float bou
             a = keep(counts, sum < one ? sum : one);
             b *= one - a;
         }
-        gained |= (a > 0.0f) | (b > 0.0f);
+        const RowMask gains = (a > 0.0f) | (b > 0.0f);
+        gained |= gains;
         alpha += kSurfaceWeight * a, beta += b;
-        boundSum(bound, alpha, beta);
+        boundSum(gains, bound, alpha, beta);
         storeRow(block.alpha.data() + i, alpha);
         storeRow(block.beta.data() + i, beta);
     }
