@@ -97,7 +97,7 @@ TEST_F(Queries, InfoTellsContentsBoundsMemoryAndTheOptionsInForce) {
         const bool told = run.out.find("  " + option.key + " ") != std::string::npos;
         EXPECT_EQ(told, surfaces.count(option.key) == 0) << option.key;
     }
-    EXPECT_NE(run.out.find("search_range_origin    0.1\n"), std::string::npos) << "for 0: one cell";
+    EXPECT_NE(run.out.find("search_range_origin   0.1\n"), std::string::npos) << "for 0: one cell";
     EXPECT_NE(run.out.find("covariance\n"), std::string::npos);
     EXPECT_NE(run.out.find("5.5\n"), std::string::npos);
 }
