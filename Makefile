@@ -48,7 +48,7 @@ demo: configure
 test: all
 	@cd $(BUILD) && ctest --output-on-failure --progress -j$(JOBS)
 
-# BENCHMARK.md and its pictures: every figure in them, in less than 20 minutes. benchmarks/data.sh
+# BENCHMARK.md and its pictures: every figure in them, in some 17 minutes of CPU time. benchmarks/data.sh
 # makes the recordings.
 benchmark: export LA3DM_DIR ?= $(AKIMAP_DATA)/la3dm
 benchmark: configure
@@ -96,7 +96,7 @@ help:
 	@echo "make bench   speed, room by room and against MRPT's COctoMap"
 	@echo "make bench-instructions   instructions of each room on a fixed workload"
 	@echo "make doc-mrpt   doc/mrpt.md: what MRPT's 3D maps answer, call by call"
-	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md in 20 minutes (AKIMAP_DATA=...)"
+	@echo "make benchmark   accuracy and speed beside other maps: writes BENCHMARK.md (AKIMAP_DATA=...)"
 	@echo "make ablations   accuracy with one thing in the default estimator changed at a time (ROWS=PATTERN)"
 	@echo "make asan    the tests under AddressSanitizer and UBSan, but for stock programs and viewers"
 	@echo "make tsan    the same under ThreadSanitizer"
