@@ -11,34 +11,37 @@ original=$scratch/build/original
 sources="CMakeLists.txt cmake libs apps benchmarks share"
 recordings=${RECORDINGS:-3}
 
-planes=libs/akimap/src/estimators/surface/hit_planes.cpp
-balls=libs/akimap/src/estimators/surface/ball_moments.h
-rays=libs/akimap/src/estimators/surface/free_rays.cpp
-evidence=libs/akimap/src/estimators/surface/evidence.cpp
-options=libs/akimap/src/estimators/surface/options.cpp
+estimator=libs/akimap/src/estimators/surface
+fit=$estimator/patch_fit.cpp
+balls=$estimator/ball_moments.h
+patches=$estimator/patches.h
+rays=$estimator/free_rays.cpp
+evidence=$estimator/evidence.cpp
+cell=$estimator/cell_evidence.h
 
 # The rows: row NAME [FILE EXPRESSION]..., EXPRESSION for sed -E. `to NAME VALUE` sets a constant.
 to() { printf '%s\n' "s/(\\b$1 = )[0-9.]+f?/\\1$2/"; }
 rows() {
     row 'as it is'
-    row '`free_radius` = 0.25 m' $options 's/p\.free_radius \/ resolution/0.25 \/ resolution/'
-    row '`free_radius` = 0.3 m' $options 's/p\.free_radius \/ resolution/0.3 \/ resolution/'
-    row '`free_radius` = 0.4 m' $options 's/p\.free_radius \/ resolution/0.4 \/ resolution/'
-    row 'hits stay where they are' $planes 's/shift = normal \* .*;/shift.setZero();/'
-    row 'β += b, the surface not first' $evidence 's/b \*= one - a;//'
-    row 'α += a' $evidence "$(to kSurfaceWeight 1)"
-    row 'faint tails count everywhere' $evidence "$(to kLeastSurface 0)"
-    row 'balls shrink towards the hit, not its plane' $rays 's/if \(s\.flat\)/if (false)/'
-    row '1 instead of 1.5 in ρ' $rays "$(to kClearance 1)"
     row '5 neighbours' $balls "$(to kEnough 5)"
     row '20 neighbours' $balls "$(to kEnough 20)"
-    row '0.6 h across the surface' $planes "$(to kThinnest 0.6)"
-    row '1.2 h' $planes "$(to kThinnest 1.2)"
-    row '2 √v along it' $planes "$(to kWidth 2)"
-    row '4 √v' $planes "$(to kWidth 4)"
-    row 'flat up to v1 = 0.1 v2' $planes "$(to kFlat 0.1)"
-    row 'hits on lines as thick as wide' $planes "$(to kLineThinnest 2)"
-    row 'no lines (but then 2D scans carve nothing)' $planes "$(to kLine 0)"
+    row 'flat up to v1 = 0.02 v2' $fit "$(to kFlat 0.02)"
+    row 'flat up to v1 = 0.1 v2' $fit "$(to kFlat 0.1)"
+    row 'planes through the sensor too' $fit "$(to kLeastCosine 0)"
+    row 'ellipses of 1.4 √v' $fit "$(to kWidth 1.4)"
+    row 'ellipses of 2.8 √v' $fit "$(to kWidth 2.8)"
+    row 'ellipses up to 0.4 m' $fit "$(to kWidest 0.4)"
+    row '3 h before the plane' $patches "$(to kPatchFront 3)"
+    row 'rays have passed 3 h from the plane' $rays "$(to kClearance 3)"
+    row 'occupied from 0.5 h on' $cell "$(to kOccupiedFront 0.5f)"
+    row 'occupied from 0.35 h on' $cell "$(to kOccupiedFront 0.35f)"
+    row 'occupied to 1.5 h behind' $cell "$(to kOccupiedBehind 1.5f)"
+    row 'σ = 0.2 h' $cell "$(to kPlaceError 0.2f)"
+    row 'rays count 2' $cell "$(to kThroughWeight 2)"
+    row 'rays count 4' $cell "$(to kThroughWeight 4)"
+    row 'no surface where rays passed' $evidence "$(to kSeenThrough 0)"
+    row 'f between rays never grows' $evidence "$(to kInferredLater 0)"
+    row 'no f between rays' $evidence "$(to kInferred 0)" $evidence "$(to kInferredLater 0)"
 }
 
 fail() { echo "ablations.sh: $*" >&2; exit 1; }
@@ -65,30 +68,25 @@ accuracy() {  # SCENE SEEDS
     [ -n "$figures" ] || { echo '–'; return; }
     echo "$figures" | awk -F'\t' '{ printf "%s / %s / %.3f / %.3f; %s / %s", $2, $3, $4, $5, $8, $9 }'
 }
-# Known AUC / Brier / log-loss / ECE of every fifth corridor scan.
-corridor() {
-    set --
-    for i in $(seq 16); do set -- "$@" "${AKIMAP_DATA:-}/corridor/corridor_$i.pcd"; done
-    [ -e "$1" ] || { echo '–'; return; }
-    "$scratch/build/bin/akimap" holdout --quiet --json "$scratch/build/holdout.json" "$@"
-    awk -F'[:,] *' '/"AkiMap": \{/ { ours = 1 } /"paper": \{/ { ours = set = 0 }
-        ours && /"cells_to_0.2_m"/ { set = 1 }
-        set && /"known"/ { known = 1 } /}/ { known = 0 }
-        known && /"(auc|brier|log_loss|calibration_error)"/ { v[++n] = sprintf("%.4f", $2) }
-        END { printf "%s / %s / %s / %s", v[1], v[2], v[3], v[4] }' "$scratch/build/holdout.json"
+# near1 / early + miss of every fifth scan of a recording of bench_next_scan.
+next_scan() {  # RECORDING
+    "$scratch/build/bin/bench_next_scan" --folds one "$1" 2>"$scratch/build/log" |
+        awk -F'|' '/near1/ { rays = 1 } rays && $2 ~ /^ AkiMap *$/ { gsub(/\*/, "")
+            printf "%.3f / %.3f", $3, $5 + $8; exit }' | grep . || echo '–'
 }
 
 check() { change "$@"; restore "$@"; }
 measure() {
     echo "$1" >&2
     change "$@"
-    cmake --build "$scratch/build" -j"${JOBS:-2}" --target bench_accuracy akimap_program \
+    cmake --build "$scratch/build" -j"${JOBS:-2}" --target bench_accuracy bench_next_scan \
         >"$scratch/build/log" 2>&1 || { cat "$scratch/build/log" >&2; fail "row '$1' does not build"; }
     la3dm=$(accuracy la3dm 1)
     structured=$(accuracy structured "$recordings")
     unstructured=$(accuracy unstructured "$recordings")
-    corridor=$(corridor)
-    echo "| $1 | $la3dm | $structured | $unstructured | $corridor |"
+    office=$(next_scan 'office, 5 cm')
+    lidar=$(next_scan 'lidar, 5 cm')
+    echo "| $1 | $office | $lidar | $la3dm | $structured | $unstructured |"
     restore "$@"
 }
 row() { $pass "$@"; }
@@ -116,7 +114,7 @@ pass=check
 rows  # before minutes are spent on the first ones
 cmake -S "$scratch" -B "$scratch/build" -DCMAKE_BUILD_TYPE=Release -DAKIMAP_BUILD_TESTS=OFF \
     -DAKIMAP_BUILD_EXAMPLES=OFF >"$scratch/build/log" 2>&1 || { cat "$scratch/build/log" >&2; fail 'cmake'; }
-echo '| | LA3DM structured | simulated structured | simulated unstructured | corridor, held out |'
-echo '|---|---|---|---|---|'
+echo '| | office 5 cm | lidar 5 cm | LA3DM structured | simulated structured | simulated unstructured |'
+echo '|---|---|---|---|---|---|'
 pass=measure_chosen
 rows

@@ -22,5 +22,5 @@ count() {  # ESTIMATOR FUNCTION...
         echo "$estimator: $step $total instructions, $((total / samples)) a sample"
     done
 }
-count surface takeHits fitHitPlanes markHitRays FreeBalls::transform binKernels addEvidence
+count surface takeHits fitPatches binPatches markHitRays FreeBalls::transform addEvidence
 count paper takeSamples bandwidths scatter

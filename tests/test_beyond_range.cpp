@@ -271,7 +271,5 @@ TEST(MapFormat, FilesOfVersion1StillLoad) {
     EXPECT_EQ(map->insertionOptions.prior_beta, 1e-3);
     EXPECT_EQ(map->likelihoodOptions.sigma_hit, 0.1);
     EXPECT_GT(map->occupancy(1.01, 0.01, 0.01).value_or(0), 0.6);
-    AkiMap now(0.2);
-    now.insertRays({Ray{{0.01, 0.01, 0.01}, {1.01, 0.01, 0.01}}});
-    EXPECT_EQ(now.cellCount(), map->cellCount());
+    EXPECT_EQ(map->cellCount(), 47u);
 }

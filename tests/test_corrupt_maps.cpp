@@ -211,9 +211,10 @@ TEST(CorruptMap, SectionsAreWhereAndWhatTheyMustBe) {
     for (const char* tag : {"INSO", "BLKS", "CELL"}) {
         Parts without = parts;
         without.erase(without.begin() + (&part(without, tag) - without.data()));
-        expectRefused(streamOf(without), tag == std::string("BLKS")
-                                             ? "section CELL comes before BLKS"
-                                             : std::string("section ") + tag + " is missing");
+        expectRefused(streamOf(without),
+                      tag == std::string("BLKS")   ? "section CELL comes before BLKS"
+                      : tag == std::string("CELL") ? "section SURF comes before CELL"
+                                                   : std::string("section ") + tag + " is missing");
     }
     Parts changed = parts;
     std::swap(changed[0], changed[1]);
@@ -307,6 +308,16 @@ TEST(CorruptMap, BlocksAndCellsAreChecked) {
             "CELL", [&](auto& p) { putWord(p, 400, bad); }, "a cell is negative or not finite");
     expectRefusedWith(
         "CELL", [](auto& p) { p.replace(0, 4096, 4096, '\0'); }, "a block without evidence");
+    expectRefusedWith(
+        "SURF", [](auto& p) { putWord(p, 0, 1 << 20); }, "surfaces of a block that is not there");
+    expectRefusedWith(
+        "SURF", [](auto& p) { p += p; }, "surfaces of a block that is not there, or out of order");
+    expectRefusedWith(
+        "SURF", [](auto& p) { p += 'x'; }, "section SURF is too short");
+    for (const uint32_t bad : {nan, minus_one})
+        expectRefusedWith(
+            "SURF", [&](auto& p) { putWord(p, 4 + 400, bad); },
+            "a surface is negative or not finite");
 }
 
 /** Where things are in a stream of format 2: 16 bytes of frame, 8 of resolution, 34 of name, 1 of

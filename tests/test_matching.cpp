@@ -203,14 +203,18 @@ TEST(Matching, SurfacePointsLieNearerToTheSurfaceThanCentres) {
         map.insertRays(rays);
         const auto surface = map.surfacePoints();
         const auto cells = map.occupiedCells();
-        ASSERT_EQ(surface.size(), cells.size());
-        const auto n = static_cast<double>(cells.size());
-        for (const auto& p : surface) points += std::abs(static_cast<double>(p.x) - wall) / n;
-        for (const auto& p : cells) centres += std::abs(static_cast<double>(p.x) - wall) / n;
+        ASSERT_LE(surface.size(), cells.size());  // those that the surface passes through
+        ASSERT_GT(surface.size(), 400u);
+        const auto sumOfErrors = [&](const auto& list) {
+            double sum = 0;
+            for (const auto& p : list) sum += std::abs(static_cast<double>(p.x) - wall);
+            return sum / static_cast<double>(list.size());
+        };
+        points += sumOfErrors(surface), centres += sumOfErrors(cells);
     }
     RecordProperty("points_mm", std::to_string(points * 100));
     EXPECT_LT(points, 0.6 * centres);
-    EXPECT_LT(points / 10, 0.012);
+    EXPECT_LT(points / 10, 0.006);
 }
 
 TEST(Matching, IsNeverStale) {

@@ -23,8 +23,7 @@ bool HitCounter::insert(const Scan& scan, const InsertionParameters& p, BlockGri
     std::vector<uint64_t> keys;
     for (const auto& [key, offsets] : cells) keys.push_back(key);
     const auto placeOf = [&](std::size_t b) { return unpackKey(keys[b]); };
-    return update_.run(grid, keys.size(), placeOf, [&](std::size_t b, Block& block, bool fresh) {
-        if (fresh) block.alpha.fill(0), block.beta.fill(0);
+    return update_.run(grid, keys.size(), placeOf, [&](std::size_t b, Block& block) {
         for (const int i : cells.at(keys[b])) block.alpha[static_cast<std::size_t>(i)] += weight_;
         return true;
     });

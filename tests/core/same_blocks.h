@@ -2,7 +2,6 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
-#include <cstring>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -18,8 +17,12 @@ auto blockBits(const BlockGrid& grid, Predicate&& isWanted) {
     for (const auto& [b, block] : grid.sortedBlocks()) {
         if (!isWanted(b)) continue;
         auto& of = bits[{b.z, b.y, b.x}];
-        of.resize(sizeof(Block));
-        std::memcpy(of.data(), block, sizeof(Block));
+        const auto append = [&](const void* data, std::size_t size) {
+            const auto* first = static_cast<const char*>(data);
+            of.insert(of.end(), first, first + size);
+        };
+        append(static_cast<const CellSums*>(block), sizeof(CellSums));
+        if (block->surface) append(block->surface.get(), sizeof(SurfaceSums));
     }
     return bits;
 }

@@ -37,16 +37,24 @@ class Sampler {
     }
     /** \param p [m] map frame \return whether its cell was not taken */
     bool add(const std::array<double, 3>& p, double distance) {
-        if (!take(p)) return false;
+        return addOrFind(p, distance) == kNew;
+    }
+    /** The same. \return kNew, or the sample that took the cell before */
+    uint32_t addOrFind(const std::array<double, 3>& p, double distance) {
+        const uint32_t by = take(p);
+        if (by != kNew) return by;
         samples_.x.push_back(static_cast<float>(p[0] - corner_[0]));
         samples_.y.push_back(static_cast<float>(p[1] - corner_[1]));
         samples_.z.push_back(static_cast<float>(p[2] - corner_[2]));
         samples_.distance.push_back(static_cast<float>(distance));
-        return true;
+        return kNew;
     }
-    /** Takes the point's cell; false if it was taken. */
-    bool take(const std::array<double, 3>& p) {
-        return taken_.insert(keyInScan(grid_.cellAt(p[0], p[1], p[2])), 0).second;
+    static constexpr uint32_t kNew = KeyTable::kNone;
+    /** Takes the point's cell; who took it before, if any, or kNew. */
+    uint32_t take(const std::array<double, 3>& p) {
+        const auto [by, added] = taken_.insert(keyInScan(grid_.cellAt(p[0], p[1], p[2])),
+                                               static_cast<uint32_t>(samples_.size()));
+        return added ? kNew : by;
     }
 
  private:

@@ -75,10 +75,14 @@ KeptRays takeHits(const std::vector<Ray>& rays, const ScanParameters& p, const B
         }
         if (free) {
             ++stats.free_beams;
-            if (free_sampler->take(free->end)) kept.free.push_back(*free);
+            if (free_sampler->take(free->end) == Sampler::kNew) kept.free.push_back(*free);
             continue;
         }
-        if (sampler->add(r.end, length)) kept.hits.push_back({&r, number});
+        const uint32_t by = sampler->addOrFind(r.end, length);
+        if (by == Sampler::kNew)
+            kept.hits.push_back({&r, number});
+        else
+            kept.hits[by].returns++;
         ++number;
     }
     stats.points += number;

@@ -16,6 +16,7 @@ namespace akimap {
 struct KeptRay {
     const Ray* ray;
     uint64_t number;
+    uint32_t returns = 1;  ///< of the scan that ended in the same cell, this one included
 };
 struct KeptRays {
     std::vector<KeptRay> hits;

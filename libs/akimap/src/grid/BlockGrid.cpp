@@ -30,8 +30,10 @@ std::size_t BlockGrid::countCells() const {
 }
 
 std::size_t BlockGrid::memoryBytes() const {
+    std::size_t surfaces = 0;
+    for (const Slot& s : blocks_) surfaces += s.block->surface != nullptr;
     return sizeof(*this) + index_.memoryBytes() + blocks_.capacity() * sizeof(Slot) +
-           blocks_.size() * sizeof(Block);
+           blocks_.size() * sizeof(Block) + surfaces * sizeof(SurfaceSums);
 }
 
 Block* BlockGrid::own(const BlockIndex& b) {

@@ -19,13 +19,31 @@ struct CellIndex {
     bool operator==(const CellIndex& o) const { return x == o.x && y == o.y && z == o.z; }
 };
 
-/** 8 x 8 x 8 cells. The sums of Eq. (2)-(3) without the prior, x running fastest;
- * a cell has evidence if either sum is positive. */
-struct Block {
+/** The evidence of 8 x 8 x 8 cells: the sums of Eq. (2)-(3) without the prior, x running fastest;
+ * a cell has evidence if either is positive. */
+struct CellSums {
     static constexpr int kSide = 8;
     static constexpr int kCells = kSide * kSide * kSide;
     alignas(32) std::array<float, kCells> alpha;  // no initializers: Block() has zeros, and loading
     alignas(32) std::array<float, kCells> beta;   // a map need not write them first
+};
+
+/** Where surfaces were measured in a block, and how often it was seen through: what its alpha and
+ * beta follow from (estimators/surface). */
+struct SurfaceSums {
+    alignas(32) std::array<float, CellSums::kCells> weight;   ///< observations of a surface, S0
+    alignas(32) std::array<float, CellSums::kCells> place;    ///< S1 = sum of w d [cells]
+    alignas(32) std::array<float, CellSums::kCells> square;   ///< S2 = sum of w d^2 [cells^2]
+    alignas(32) std::array<float, CellSums::kCells> through;  ///< times that rays passed, f
+};
+
+struct Block : CellSums {
+    std::unique_ptr<SurfaceSums> surface;  ///< null where no surface was near
+
+    Block() = default;
+    Block(const Block& o)
+        : CellSums(o), surface(o.surface ? std::make_unique<SurfaceSums>(*o.surface) : nullptr) {}
+    Block& operator=(const Block&) = delete;
 
     [[nodiscard]] static int offset(int x, int y, int z) { return (z * kSide + y) * kSide + x; }
     [[nodiscard]] bool hasEvidence(int i) const { return alpha[i] > 0 || beta[i] > 0; }

@@ -19,22 +19,21 @@ namespace akimap {
 class BlockUpdate {
  public:
     /** \param n number of blocks, and \param placeOf(i) their places, each another
-     * \param update(i, Block&, fresh) adds the scan to block i and returns whether a cell of it
-     * gained evidence; the cells of a fresh block are uninitialized. Called in any order, from the
-     * threads of the caller's TBB arena; must not throw
+     * \param equip(i, Block&) gives block i what the update needs beside alpha and beta, without a
+     * change of what they say; may throw. From several threads, in any order
+     * \param update(i, Block&) adds the scan to block i and returns whether a cell of it gained
+     * evidence. Likewise, in the caller's TBB arena; must not throw
      * \return whether any cell gained evidence
      * \exception std::bad_alloc with no sum changed */
-    template <class PlaceOf, class Update>
-    bool run(BlockGrid& grid, std::size_t n, PlaceOf&& placeOf, Update&& update) {
+    template <class PlaceOf, class Equip, class Update>
+    bool run(BlockGrid& grid, std::size_t n, PlaceOf&& placeOf, Equip&& equip, Update&& update) {
         try {
-            prepare(grid, n, placeOf);
+            prepare(grid, n, placeOf, equip);
         } catch (...) {
             fresh_.clear();  // there is no memory to keep
             throw;
         }
-        const auto updateOne = [&](std::size_t i) {
-            gained_[i] = update(i, *blocks_[i], fresh_[i] != nullptr);
-        };
+        const auto updateOne = [&](std::size_t i) { gained_[i] = update(i, *blocks_[i]); };
         try {
             tbb::parallel_for(std::size_t{0}, n, updateOne);
         } catch (const std::bad_alloc&) {  // of a task: the rest goes without
@@ -51,34 +50,32 @@ class BlockUpdate {
         return changed;
     }
 
- private:
-    /** Allocates blocks whose cells are still to be written. */
-    template <class T>
-    struct Unwritten : std::allocator<T> {
-        template <class U>
-        struct rebind {
-            using other = Unwritten<U>;
-        };
-        Unwritten() = default;
-        template <class U>
-        explicit Unwritten(const Unwritten<U>&) {}
-        template <class U>
-        void construct(U* p) {
-            ::new (static_cast<void*>(p)) U;
-        }
-    };
+    /** The same for estimators whose evidence is alpha and beta themselves: from then on these
+     * follow from no surface. */
+    template <class PlaceOf, class Update>
+    bool run(BlockGrid& grid, std::size_t n, PlaceOf&& placeOf, Update&& update) {
+        return run(
+            grid, n, placeOf, [](std::size_t, Block&) {},
+            [&](std::size_t i, Block& block) {
+                block.surface.reset();
+                return update(i, block);
+            });
+    }
 
-    template <class PlaceOf>
-    void prepare(BlockGrid& grid, std::size_t n, PlaceOf& placeOf) {
+ private:
+    template <class PlaceOf, class Equip>
+    void prepare(BlockGrid& grid, std::size_t n, PlaceOf& placeOf, Equip& equip) {
         blocks_.assign(n, nullptr);
         fresh_.assign(n, nullptr);
         gained_.assign(n, kPending);
         grid.reserve(grid.blockCount() + n);
         for (std::size_t i = 0; i < n; i++) blocks_[i] = grid.own(placeOf(i));
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t i) {
-            if (blocks_[i]) return;
-            fresh_[i] = std::allocate_shared<Block>(Unwritten<Block>());
-            blocks_[i] = fresh_[i].get();
+            if (!blocks_[i]) {
+                fresh_[i] = std::make_shared<Block>();
+                blocks_[i] = fresh_[i].get();
+            }
+            equip(i, *blocks_[i]);
         });
     }
 

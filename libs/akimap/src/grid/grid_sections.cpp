@@ -3,6 +3,8 @@
 #include "grid/grid_sections.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <type_traits>
@@ -17,8 +19,8 @@ using BlockIndex = BlockGrid::BlockIndex;
 
 // Both are in files as they are in memory: words of 32 bits, alpha before beta.
 static_assert(sizeof(BlockIndex) == 3 * sizeof(int32_t));
-static_assert(sizeof(Block) == 2 * Block::kCells * sizeof(float));
-static_assert(std::is_trivially_copyable_v<Block> && std::is_trivially_copyable_v<BlockIndex>);
+static_assert(sizeof(CellSums) == 2 * Block::kCells * sizeof(float));
+static_assert(std::is_trivially_copyable_v<CellSums> && std::is_trivially_copyable_v<BlockIndex>);
 
 /** Few large pieces: MRPT's memory stream, through which particles are copied, grows at each. */
 constexpr std::size_t kBlocksAtOnce = 64;
@@ -41,6 +43,25 @@ void writeInPieces(SectionWriter& section, std::size_t count, std::size_t at_onc
     section.finish();
 }
 
+/** A block's surface sums in a file. */
+struct StoredSurface {
+    uint32_t block;                                        ///< its number among the blocks
+    std::array<std::array<float, Block::kCells>, 4> sums;  ///< weight, place, square, through
+
+    StoredSurface() = default;
+    StoredSurface(uint32_t number, const SurfaceSums& s)
+        : block(number), sums{s.weight, s.place, s.square, s.through} {}
+    /** Only a place may be negative. \return whether all others are, and all are finite */
+    [[nodiscard]] bool isSound() const {
+        bool sound = true;
+        for (std::size_t k = 0; k < sums.size(); k++)
+            for (const float v : sums[k]) sound &= std::isfinite(v) && (v >= 0 || k == 1);
+        return sound;
+    }
+};
+static_assert(sizeof(StoredSurface) == sizeof(uint32_t) + 4 * Block::kCells * sizeof(float));
+static_assert(std::is_trivially_copyable_v<StoredSurface>);
+
 /** Lets std::allocate_shared() make, in one allocation, what is read into at once: not zeroed. */
 template <class T>
 struct Uninitialized : std::allocator<T> {
@@ -59,17 +80,28 @@ struct Uninitialized : std::allocator<T> {
 
 /** What is wrong with a block's sums, if anything: they are finite, >= 0 and not all 0. On bits and
  * without a way out, so that it runs on whole rows. */
-AKIMAP_MULTIVERSION const char* faultOf(const Block& block) {
+AKIMAP_MULTIVERSION const char* faultOf(const CellSums& block) {
     constexpr uint32_t kSign = 0x80000000u, kInfinity = 0x7f800000u;  // of an IEEE 754 float
     const auto* bytes = reinterpret_cast<const unsigned char*>(&block);
     uint32_t any = 0, overflow = 0;
-    for (std::size_t i = 0; i < kWordsOf<Block>; i++) {
+    for (std::size_t i = 0; i < kWordsOf<CellSums>; i++) {
         uint32_t bits = 0;
         std::memcpy(&bits, bytes + i * sizeof bits, sizeof bits);
         any |= bits, overflow |= bits + (kSign - kInfinity);
     }
     if ((any | overflow) & kSign) return "a cell is negative or not finite";
     return any == 0 ? "a block without evidence" : nullptr;
+}
+
+void writeSurfaces(const WriteBytes& out, const std::vector<BlockGrid::PlacedBlock>& blocks) {
+    std::vector<uint32_t> with;
+    for (uint32_t i = 0; i < blocks.size(); i++)
+        if (blocks[i].block->surface) with.push_back(i);
+    SectionWriter section(out, kSurfacesTag, Need::optional, with.size() * sizeof(StoredSurface));
+    writeInPieces<StoredSurface>(section, with.size(), kBlocksAtOnce,
+                                 [&](std::size_t i, StoredSurface& s) {
+                                     s = {with[i], *blocks[with[i]].block->surface};
+                                 });
 }
 
 }  // namespace
@@ -79,10 +111,10 @@ void writeGrid(const WriteBytes& out, const BlockGrid& grid) {
     SectionWriter places(out, kBlocksTag, Need::required, blocks.size() * sizeof(BlockIndex));
     writeInPieces<BlockIndex>(places, blocks.size(), kPlacesAtOnce,
                               [&](std::size_t i, BlockIndex& b) { b = blocks[i].index; });
-    SectionWriter cells(out, kCellsTag, Need::required, blocks.size() * sizeof(Block));
-    writeInPieces<Block>(cells, blocks.size(), kBlocksAtOnce, [&](std::size_t i, Block& block) {
-        std::memcpy(&block, blocks[i].block, sizeof(Block));
-    });
+    SectionWriter cells(out, kCellsTag, Need::required, blocks.size() * sizeof(CellSums));
+    writeInPieces<CellSums>(cells, blocks.size(), kBlocksAtOnce,
+                            [&](std::size_t i, CellSums& block) { block = *blocks[i].block; });
+    writeSurfaces(out, blocks);
 }
 
 std::vector<BlockIndex> readBlocks(SectionReader& section) {
@@ -102,11 +134,26 @@ std::vector<BlockIndex> readBlocks(SectionReader& section) {
 }
 
 void readCells(SectionReader& section, const std::vector<BlockIndex>& blocks, BlockGrid& grid) {
-    if (section.left() / sizeof(Block) != blocks.size() || section.left() % sizeof(Block) != 0)
+    if (section.left() / sizeof(CellSums) != blocks.size() ||
+        section.left() % sizeof(CellSums) != 0)
         throw CorruptMap("its cells are not those of its blocks");
     grid.reserve(blocks.size());
     const ReadBytes read = [&](void* bytes, std::size_t n) { section.read(bytes, n); };
     for (const BlockIndex& b : blocks) grid.adopt(b, readBlock(read));
+    section.finish();
+}
+
+void readSurfaces(SectionReader& section, const std::vector<BlockIndex>& blocks, BlockGrid& grid) {
+    StoredSurface s;
+    for (uint64_t least = 0; section.left() > 0; least = s.block + uint64_t{1}) {
+        section.read(&s, sizeof s);
+        swapUnlessLittleEndian(&s, kWordsOf<StoredSurface>);
+        if (s.block < least || s.block >= blocks.size())
+            throw CorruptMap("surfaces of a block that is not there, or out of order");
+        if (!s.isSound()) throw CorruptMap("a surface is negative or not finite");
+        grid.own(blocks[s.block])->surface =
+            std::make_unique<SurfaceSums>(SurfaceSums{s.sums[0], s.sums[1], s.sums[2], s.sums[3]});
+    }
     section.finish();
 }
 
@@ -118,8 +165,9 @@ void checkPlace(const BlockIndex* previous, const BlockIndex& b) {
 
 std::shared_ptr<Block> readBlock(const ReadBytes& read) {
     const auto block = std::allocate_shared<Block>(Uninitialized<Block>());
-    read(block.get(), sizeof(Block));
-    swapUnlessLittleEndian(block.get(), kWordsOf<Block>);
+    CellSums& sums = *block;
+    read(&sums, sizeof sums);
+    swapUnlessLittleEndian(&sums, kWordsOf<CellSums>);
     if (const char* fault = faultOf(*block)) throw CorruptMap(fault);
     return block;
 }

@@ -11,8 +11,9 @@
 
 namespace akimap {
 
-constexpr Tag kBlocksTag = tag("BLKS");  ///< the places of the blocks
-constexpr Tag kCellsTag = tag("CELL");   ///< their cells' sums
+constexpr Tag kBlocksTag = tag("BLKS");    ///< the places of the blocks
+constexpr Tag kCellsTag = tag("CELL");     ///< their cells' sums
+constexpr Tag kSurfacesTag = tag("SURF");  ///< what these follow from, where surfaces are near
 
 /** Writes the sections of a grid's cells; its resolution stands elsewhere. */
 void writeGrid(const WriteBytes& out, const BlockGrid& grid);
@@ -22,6 +23,10 @@ void writeGrid(const WriteBytes& out, const BlockGrid& grid);
 /** Reads the section's cells of these blocks into an empty grid. \exception CorruptMap */
 void readCells(SectionReader& section, const std::vector<BlockGrid::BlockIndex>& blocks,
                BlockGrid& grid);
+/** Reads the section's surface sums into the blocks of a grid that nobody else holds.
+ * \exception CorruptMap */
+void readSurfaces(SectionReader& section, const std::vector<BlockGrid::BlockIndex>& blocks,
+                  BlockGrid& grid);
 
 // What formats 1 and 2 share with the sections:
 

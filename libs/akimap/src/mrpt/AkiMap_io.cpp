@@ -168,6 +168,10 @@ void AkiMap::readSections(CArchive& in) {
             readCells(section, blocks, impl_->grid);
         else if (tag == kCellsTag)
             throw CorruptMap("section CELL comes before BLKS");
+        else if (tag == kSurfacesTag && met.count(kCellsTag))
+            readSurfaces(section, blocks, impl_->grid);
+        else if (tag == kSurfacesTag)
+            throw CorruptMap("section SURF comes before CELL");
         else
             section.skip();
     }

@@ -31,7 +31,23 @@ struct MapView {
         if (!grid.hasCell(x, y, z)) return std::nullopt;
         return cell(grid.cellAt(x, y, z));
     }
+    /** How far the surface lies from the cell's centre, positive where the centre is on the side
+     * that was seen [cells]; empty where no surface was measured near, or by an estimator that
+     * keeps no distances. */
+    [[nodiscard]] std::optional<double> surfaceDistance(const CellIndex& c) const {
+        const Block* block = grid.find(BlockGrid::blockOf(c));
+        return block ? surfaceDistanceIn(*block, BlockGrid::offsetOf(c)) : std::nullopt;
+    }
+    [[nodiscard]] static std::optional<double> surfaceDistanceIn(const Block& block, int i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!block.surface || !(block.surface->weight[at] > 0)) return std::nullopt;
+        return static_cast<double>(block.surface->place[at] / block.surface->weight[at]);
+    }
 };
+
+/** The surface passes through a cell whose centre is nearer: half a diagonal [cells]. Occupied
+ * cells farther behind it are what keeps rays from slipping through. */
+constexpr double kOnSurface = 0.87;
 
 /** The one way to go over a map: calls visit(Cell) for each cell with evidence, in the grid's
  * order. */

@@ -3,6 +3,7 @@
 #include "queries/SurfacePoints.h"
 
 #include <array>
+#include <cmath>
 #include <mutex>
 
 namespace akimap {
@@ -22,13 +23,22 @@ class Surroundings {
     }
     /** The cell's sum of occupied evidence. \param x, y, z  in the middle block, -8 to 15 */
     [[nodiscard]] double alpha(int x, int y, int z) const {
-        const int at = (((z >> 3) + 1) * 3 + (y >> 3) + 1) * 3 + (x >> 3) + 1;
-        const Block* block = blocks_[static_cast<std::size_t>(at)];
+        const Block* block = blockOf(x, y, z);
         const int cell = Block::offset(x & 7, y & 7, z & 7);
         return block ? static_cast<double>(block->alpha[static_cast<std::size_t>(cell)]) : 0;
     }
+    /** How far the surface lies from its centre, MapView::surfaceDistance(). */
+    [[nodiscard]] std::optional<double> distance(int x, int y, int z) const {
+        const Block* block = blockOf(x, y, z);
+        if (!block) return std::nullopt;
+        return MapView::surfaceDistanceIn(*block, Block::offset(x & 7, y & 7, z & 7));
+    }
 
  private:
+    [[nodiscard]] const Block* blockOf(int x, int y, int z) const {
+        const int at = (((z >> 3) + 1) * 3 + (y >> 3) + 1) * 3 + (x >> 3) + 1;
+        return blocks_[static_cast<std::size_t>(at)];
+    }
     std::array<const Block*, 27> blocks_{};
 };
 
@@ -45,6 +55,38 @@ std::array<double, 3> evidenceCentroid(const Surroundings& s, int x, int y, int 
             }
     const double share = 1 / weights;
     return {sum[0] * share, sum[1] * share, sum[2] * share};
+}
+
+/** From the cell's centre to the surface at a distance from it, along the distance's gradient
+ * [cells]; empty where that is not known, or no plane's. */
+std::optional<std::array<double, 3>> alongGradient(const Surroundings& s, int x, int y, int z,
+                                                   double distance) {
+    constexpr double kLeast = 0.5;  // of the gradient's length, which is 1 before a plane
+    std::array<double, 3> gradient{};
+    for (int axis = 0; axis < 3; axis++) {
+        const int dx = axis == 0, dy = axis == 1, dz = axis == 2;
+        const auto before = s.distance(x - dx, y - dy, z - dz),
+                   after = s.distance(x + dx, y + dy, z + dz);
+        if (!before && !after) return std::nullopt;
+        const double steps = before && after ? 2 : 1;
+        gradient[static_cast<std::size_t>(axis)] =
+            (after.value_or(distance) - before.value_or(distance)) / steps;
+    }
+    const double square =
+        gradient[0] * gradient[0] + gradient[1] * gradient[1] + gradient[2] * gradient[2];
+    if (square < kLeast * kLeast) return std::nullopt;
+    for (double& g : gradient) g *= -distance / square;
+    return gradient;
+}
+
+/** From the centre of an occupied cell to the surface [cells]; empty if it does not pass through
+ * the cell. */
+std::optional<std::array<double, 3>> toSurface(const Surroundings& s, int x, int y, int z) {
+    const auto distance = s.distance(x, y, z);
+    if (!distance) return evidenceCentroid(s, x, y, z);
+    if (std::abs(*distance) > kOnSurface) return std::nullopt;
+    if (const auto to = alongGradient(s, x, y, z, *distance)) return to;
+    return std::array<double, 3>{};
 }
 
 /** With more evidence for than against, and some for: where the prior alone speaks for occupied
@@ -77,11 +119,12 @@ SurfacePoints::SurfacePoints(const MapView& map) : trees_(std::make_unique<Trees
             if (!isOccupied(*block, static_cast<std::size_t>(i), map.prior)) continue;
             if (!around) around.emplace(grid, b);
             const int x = i & 7, y = i >> 3 & 7, z = i >> 6;
-            const auto d = evidenceCentroid(*around, x, y, z);
+            const auto d = toSurface(*around, x, y, z);
+            if (!d) continue;
             const double r = grid.resolution();
-            x_.push_back(static_cast<float>(grid.center(b.x * 8 + x) + d[0] * r));
-            y_.push_back(static_cast<float>(grid.center(b.y * 8 + y) + d[1] * r));
-            z_.push_back(static_cast<float>(grid.center(b.z * 8 + z) + d[2] * r));
+            x_.push_back(static_cast<float>(grid.center(b.x * 8 + x) + (*d)[0] * r));
+            y_.push_back(static_cast<float>(grid.center(b.y * 8 + y) + (*d)[1] * r));
+            z_.push_back(static_cast<float>(grid.center(b.z * 8 + z) + (*d)[2] * r));
         }
     }
 }

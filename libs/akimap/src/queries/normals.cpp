@@ -7,6 +7,15 @@
 #include <cmath>
 
 namespace akimap {
+namespace {
+
+/** Or may be, where distances are not known. \pre the place has a cell */
+bool isOnSurface(const MapView& map, double x, double y, double z) {
+    const auto d = map.surfaceDistance(map.grid.cellAt(x, y, z));
+    return !d || std::abs(*d) <= kOnSurface;
+}
+
+}  // namespace
 
 std::optional<CellNormal> normalAt(const MapView& map, double x, double y, double z) {
     constexpr int kReach = 2;
@@ -22,7 +31,7 @@ std::optional<CellNormal> normalAt(const MapView& map, double x, double y, doubl
                 const Eigen::Vector3d d(i, j, k);
                 const double p = cell->occupancy();
                 freer += (1 - p) * d;
-                if (p <= 0.5) continue;
+                if (p <= 0.5 || !isOnSurface(map, x + i * r, y + j * r, z + k * r)) continue;
                 weight += p, mean += p * d, moments += p * d * d.transpose();
             }
     if (weight < 3) return std::nullopt;

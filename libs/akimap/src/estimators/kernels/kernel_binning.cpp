@@ -50,7 +50,7 @@ void makeKernels(const Samples& samples, const std::vector<Symmetric3>& H, doubl
 }
 
 /** Lists the blocks (relative to the anchor) that each kernel's bounding box meets. */
-void listOverlaps(BinnedKernels& s) {
+void listOverlaps(BlockBins& s) {
     s.numbers.clear(), s.keys.clear(), s.pairs.clear();
     for (uint32_t i = 0; i < s.boxes.size(); i++) {
         const KernelBox& b = s.boxes[i];
@@ -72,7 +72,7 @@ void listOverlaps(BinnedKernels& s) {
 }
 
 /** Counting sort of the pairs by block; within a block the kernels stay in order. */
-void sortByBlock(BinnedKernels& s) {
+void sortByBlock(BlockBins& s) {
     s.start.assign(s.keys.size() + 2, 0);
     for (const auto& [block, overlap] : s.pairs) ++s.start[block + 2];
     for (std::size_t b = 2; b < s.start.size(); b++) s.start[b] += s.start[b - 1];
@@ -82,13 +82,17 @@ void sortByBlock(BinnedKernels& s) {
 
 }  // namespace
 
+void BlockBins::bin() {
+    listOverlaps(*this);
+    sortByBlock(*this);
+}
+
 void binKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
                 BinnedKernels& s, KernelWeight weight) {
     makeKernels(samples, H, resolution, s);
     if (weight == KernelWeight::one)
         for (Kernel& k : s.kernels) k.weight = 1;
-    listOverlaps(s);
-    sortByBlock(s);
+    s.bin();
 }
 
 }  // namespace akimap

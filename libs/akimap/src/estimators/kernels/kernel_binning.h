@@ -35,16 +35,21 @@ struct BlockOverlap {
     uint16_t begin, end;
 };
 
-/** A scan's kernels and the blocks that they meet; kept between scans. */
-struct BinnedKernels {
-    std::vector<Kernel> kernels;
-    std::vector<KernelBox> boxes;
+/** The blocks that the kernels of a scan meet; kept between scans. */
+struct BlockBins {
+    std::vector<KernelBox> boxes;        // of each kernel
     KeyTable numbers;                    // block key -> local number
     std::vector<uint64_t> keys;          // of the blocks met, in order of first meeting
     std::vector<uint32_t> start;         // of each block in `overlaps`; one more at the end
     std::vector<BlockOverlap> overlaps;  // grouped by block, the kernels ascending
     std::vector<std::pair<uint32_t, BlockOverlap>>
         pairs;  // (local block, overlap), kernels ascending
+    /** Bins the boxes by the blocks of 8^3 cells that they meet. */
+    void bin();
+};
+
+struct BinnedKernels : BlockBins {
+    std::vector<Kernel> kernels;
 };
 
 /** What a kernel is worth at its centre. */

@@ -50,11 +50,10 @@ bool scatter(PaperWorkspace& w, BlockGrid& grid) {
     const auto placeOf = [&](std::size_t b) {
         return blockInMap(w.kernels.keys[b], w.samples.anchor);
     };
-    const auto add = [&](std::size_t b, Block& block, bool fresh) {
-        if (fresh) block.alpha.fill(0), block.beta.fill(0);
+    const auto add = [&](std::size_t b, Block& block) {
         const bool reached =
             addKernels(w.kernels, b, w.samples.occupied, block.alpha.data(), block.beta.data());
-        return reached && !(fresh && block.isEmpty());  // a kernel's edge may round to nothing
+        return reached && !block.isEmpty();  // a kernel's edge may round to nothing
     };
     return w.update.run(grid, w.kernels.keys.size(), placeOf, add);
 }

@@ -29,8 +29,10 @@ uint64_t keyBeside(uint64_t key, int axis, int step) {
 }  // namespace
 
 void FreeBalls::clear() {
-    index_.clear(), keys_.clear(), blocks_.clear();
-    last_cell_ = kNowhere;
+    index_.clear(), keys_.clear(), blocks_.clear(), passes_.clear();
+    is_exact_.clear();
+    last_key_ = kNoKey;
+    marks_ = 0;
 }
 
 uint32_t FreeBalls::numberOf(uint64_t key) {
@@ -38,14 +40,22 @@ uint32_t FreeBalls::numberOf(uint64_t key) {
     if (known != KeyTable::kNone) return known;
     keys_.push_back(key);
     blocks_.push_back(kNoBlock);
+    passes_.push_back({});
+    is_exact_.push_back(0);
     return index_.insert(key, static_cast<uint32_t>(keys_.size() - 1)).first;
 }
 
 void FreeBalls::merge(const FreeBalls& other) {
+    marks_ += other.marks_;
     for (std::size_t b = 0; b < other.keys_.size(); b++) {
-        PowerBlock& here = blocks_[numberOf(other.keys_[b])];
+        const uint32_t number = numberOf(other.keys_[b]);
+        PowerBlock& here = blocks_[number];
         for (std::size_t i = 0; i < here.size(); i++)
             here[i] = std::min(here[i], other.blocks_[b][i]);
+        PassesBlock& passes = passes_[number];
+        for (std::size_t i = 0; i < passes.size(); i++)
+            passes[i] = static_cast<uint8_t>(
+                std::min<unsigned>(kMostPasses, passes[i] + other.passes_[b][i]));
     }
 }
 

@@ -19,16 +19,42 @@ namespace akimap {
  * then z; a block of 8^3 cells at a time, and only the blocks that a ball can reach. */
 class FreeBalls {
  public:
+    using PassesBlock = std::array<uint8_t, Block::kCells>;
+    static constexpr unsigned kMostPasses = 255;
     static constexpr int kMaxRadius = Block::kSide;  ///< [cells] R is at most this
 
     void clear();
-    /** A ball around a cell. \param power R^2 - radius^2, >= 0 [cells^2 / kPowerUnit] */
-    void mark(const CellIndex& cell, uint16_t power) {
-        if (((cell.x ^ last_cell_.x) | (cell.y ^ last_cell_.y) | (cell.z ^ last_cell_.z)) >> 3)
-            last_ = numberOf(packKey(BlockGrid::blockOf(cell))), last_cell_ = cell;
-        uint16_t& here = blocks_[last_][static_cast<std::size_t>(BlockGrid::offsetOf(cell))];
-        here = std::min(here, power);
+    /** The number of a block, by which its cells are marked; made at the first call, when
+     * \param near_surface(key) says whether its passes are to be exact. */
+    template <class NearSurface>
+    uint32_t numberOf(uint64_t key, NearSurface&& near_surface) {
+        if (key == last_key_) return last_;
+        const auto known = static_cast<uint32_t>(keys_.size());
+        last_ = numberOf(key), last_key_ = key;
+        if (last_ == known) is_exact_[last_] = near_surface(key);
+        return last_;
     }
+    [[nodiscard]] bool isExact(uint32_t block) const { return is_exact_[block] != 0; }
+    /** Of one block; until the next call of numberOf(). */
+    struct Marks {
+        PowerBlock& power;
+        PassesBlock& passes;
+        /** A ball around a cell. \param p R^2 - radius^2, >= 0 [cells^2 / kPowerUnit] */
+        void ball(int cell, uint16_t p) {
+            uint16_t& here = power[static_cast<std::size_t>(cell)];
+            here = std::min(here, p);
+        }
+        /** So many rays passed through the cell, far from their own hits. */
+        void pass(int cell, unsigned rays) {
+            uint8_t& passed = passes[static_cast<std::size_t>(cell)];
+            passed = static_cast<uint8_t>(std::min(kMostPasses, passed + rays));
+        }
+    };
+    [[nodiscard]] Marks marksOf(uint32_t block) {
+        marks_++;
+        return {blocks_[block], passes_[block]};
+    }
+    [[nodiscard]] std::size_t marks() const { return marks_; }
     /** Takes over the marks of another. */
     void merge(const FreeBalls& other);
     /** \param radius R [cells], in (0, kMaxRadius]. The same for any number of threads; runs in the
@@ -38,11 +64,13 @@ class FreeBalls {
     /** Blocks that a ball may reach, in order of first touch, and their power distances. */
     [[nodiscard]] const std::vector<uint64_t>& keys() const { return keys_; }
     [[nodiscard]] const PowerBlock& block(std::size_t i) const { return blocks_[i]; }
+    /** How many rays passed through each cell, at most kMostPasses. */
+    [[nodiscard]] const PassesBlock& passes(std::size_t i) const { return passes_[i]; }
     /** Place of a block in keys(), KeyTable::kNone if it is not among them. */
     [[nodiscard]] uint32_t find(uint64_t key) const { return index_.find(key); }
 
  private:
-    static constexpr CellIndex kNowhere = {INT32_MIN, 0, 0};
+    static constexpr uint64_t kNoKey = ~uint64_t{0};
     uint32_t numberOf(uint64_t key);
     void growAlong(int axis, double radius);
     void transformAlong(int axis, int reach);
@@ -50,8 +78,11 @@ class FreeBalls {
     KeyTable index_;
     std::vector<uint64_t> keys_;
     std::vector<PowerBlock> blocks_, transformed_;
-    CellIndex last_cell_ = kNowhere;  // the last that was marked in another block than before
-    uint32_t last_ = 0;
+    std::vector<PassesBlock> passes_;
+    std::vector<char> is_exact_;
+    std::size_t marks_ = 0;
+    uint64_t last_key_ = kNoKey;  // of the block that was asked for last, and
+    uint32_t last_ = 0;           // its number
 };
 
 }  // namespace akimap

@@ -2,10 +2,12 @@
 // Copyright (c) 2026, the akimap developers
 #include "estimators/surface/SurfaceEstimator.h"
 
-#include <tbb/parallel_invoke.h>
+#include <algorithm>
 
 #include "estimators/estimators.h"
+#include "estimators/surface/free_rays.h"
 #include "estimators/surface/options.h"
+#include "estimators/surface/patch_fit.h"
 #include "support/Stopwatch.h"
 
 namespace akimap {
@@ -16,7 +18,8 @@ InsertionParameters SurfaceEstimator::inForce(InsertionParameters p, double reso
 }
 
 void SurfaceEstimator::check(const InsertionParameters& p, double resolution) const {
-    requireReachWithinGrid("surface_range", widestKernel(p, resolution), resolution);
+    requireReachWithinGrid("surface_range", std::max(p.surface_range, widestPatch(resolution)),
+                           resolution);
 }
 
 bool SurfaceEstimator::insert(const Scan& scan, const InsertionParameters& p, BlockGrid& grid,
@@ -25,18 +28,16 @@ bool SurfaceEstimator::insert(const Scan& scan, const InsertionParameters& p, Bl
     Stopwatch watch;
     const KeptRays kept = takeHits(scan.rays, p, grid, taken_, hits_, stats);
     stats.seconds_sampling += watch.lap();
-    fitHitPlanes(kept.hits, hits_, p, resolution, fit_, planes_, H_);
+    fitPatches(kept.hits, hits_, p, resolution, rows_, patches_.patches);
     stats.seconds_bandwidth += watch.lap();
-    tbb::parallel_invoke(
-        [&] {
-            stats.samples_free += markHitRays(kept.hits, planes_, radius, resolution, hits_.anchor,
-                                              free_parts_, free_);
-            stats.samples_free += markBeams(kept.free, radius, resolution, hits_.anchor, free_);
-            free_.transform(radius);
-        },
-        [&] { binKernels(hits_, H_, resolution, kernels_, KernelWeight::one); });
+    binPatches(patches_);
+    const RayMarking marking{resolution, radius, hits_.anchor, patches_, grid};
+    markHitRays(marking, kept.hits, free_parts_, free_);
+    markBeams(marking, kept.free, free_);
+    stats.samples_free += free_.marks();
+    free_.transform(radius);
     const bool changed =
-        addEvidence(hits_.anchor, kernels_, {free_, radius}, p.max_evidence, grid, evidence_);
+        addEvidence(hits_.anchor, patches_, {free_, radius}, p.max_evidence, grid, evidence_);
     stats.seconds_update += watch.lap();
     return changed;
 }

@@ -6,6 +6,7 @@
 
 #include "estimators/ScanEstimator.h"
 #include "estimators/surface/evidence.h"
+#include "numeric/NeighborRows.h"
 
 namespace akimap {
 
@@ -21,10 +22,8 @@ class SurfaceEstimator : public ScanEstimator {
  private:
     KeyTable taken_;
     Samples hits_;
-    HitPlaneWorkspace fit_;
-    std::vector<HitPlane> planes_;
-    std::vector<Symmetric3> H_;
-    BinnedKernels kernels_;
+    NeighborRows rows_;
+    BinnedPatches patches_;
     FreeBalls free_;
     std::vector<FreeBalls> free_parts_;  // one a thread
     EvidenceWorkspace evidence_;

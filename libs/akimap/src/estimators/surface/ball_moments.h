@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
-#include "estimators/surface/hit_planes.h"
+#include "estimators/Samples.h"
+#include "numeric/Ldlt.h"
+#include "numeric/NeighborRows.h"
 
 namespace akimap {
 
@@ -37,7 +39,7 @@ AKIMAP_INLINE BallMoments momentsIn(const PointList& points, float cx, float cy,
             sumOf(y), sumOf(z), {sumOf(xx), sumOf(xy), sumOf(xz), sumOf(yy), sumOf(yz), sumOf(zz)}};
 }
 
-inline Bounds boxOf(const HitPlaneWorkspace& s, uint32_t i, float r) {
+inline Bounds boxOf(const Samples& s, uint32_t i, float r) {
     return {{s.x[i] - r, s.y[i] - r, s.z[i] - r}, {s.x[i] + r, s.y[i] + r, s.z[i] + r}};
 }
 inline void include(const Bounds& other, Bounds& all) {
@@ -58,8 +60,8 @@ struct Neighbors {
 class BallSearch {
  public:
     /** \param range of the largest ball [m] */
-    BallSearch(const HitPlaneWorkspace& hits, double range, double resolution)
-        : s_(hits), range_(range), resolution_(resolution) {}
+    BallSearch(const Samples& hits, const NeighborRows& rows, double range, double resolution)
+        : s_(hits), rows_(rows), range_(range), resolution_(resolution) {}
 
     /** Moments of the smallest ball around each of n hits that holds enough. The hits lie near each
      * other and share a search for all of their balls. */
@@ -72,7 +74,7 @@ class BallSearch {
             Bounds around = boxOf(s_, hits[__builtin_ctz(pending)], r);
             for (uint32_t left = pending; left; left &= left - 1)
                 include(boxOf(s_, hits[__builtin_ctz(left)], r), around);
-            s_.rows.findPoints(around, near.all);
+            rows_.findPoints(around, near.all);
             for (uint32_t left = pending; left; left &= left - 1) {
                 const int k = __builtin_ctz(left);
                 const uint32_t i = hits[k];
@@ -97,7 +99,8 @@ class BallSearch {
     }
 
  private:
-    const HitPlaneWorkspace& s_;
+    const Samples& s_;
+    const NeighborRows& rows_;
     double range_, resolution_;
 };
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "estimators/kernels/kernel_binning.h"
-#include "estimators/surface/free_rays.h"
+#include "estimators/surface/FreeBalls.h"
+#include "estimators/surface/patches.h"
 #include "grid/BlockUpdate.h"
 
 namespace akimap {
@@ -14,7 +14,7 @@ namespace akimap {
  * blocks, KeyTable::kNone where it is not among them. */
 struct EvidenceBlock {
     uint64_t key;
-    uint32_t kernels, free;
+    uint32_t patches, free;
 };
 
 /** Buffers of addEvidence(), kept between scans. */
@@ -33,11 +33,11 @@ struct ScanFreeSpace {
  * space, the surface before the free space. One task a block, so the sums are the same for any
  * number of threads; runs in the caller's TBB arena.
  * \param anchor of the hits
- * \param kernels of the hits, by binKernels()
+ * \param patches of the hits, by binPatches()
  * \param max_evidence alpha and beta are scaled down where they are more in sum; 0: never
  * \return whether any cell gained evidence
  * \exception std::bad_alloc with no sum changed */
-bool addEvidence(const CellIndex& anchor, const BinnedKernels& kernels, const ScanFreeSpace& free,
+bool addEvidence(const CellIndex& anchor, const BinnedPatches& patches, const ScanFreeSpace& free,
                  double max_evidence, BlockGrid& grid, EvidenceWorkspace& workspace);
 
 }  // namespace akimap

@@ -7,106 +7,187 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "numeric/rows.h"
 
 namespace akimap {
 namespace {
-constexpr double kClearance = 1.5;   // a ball's radius over its distance from the hit's plane
-constexpr double kStep = 0.5;        // from ball to ball, over the radius
-constexpr double kLeastBall = 0.25;  // [cells]
+constexpr double kClearance = 1.5;  // a ball's radius over its distance from the hit's plane, and
+                                    // [cells] from it: there a ray has passed
+constexpr double kStep = 0.5;       // from ball to ball, over R
+constexpr double kLeastCosine = 0.05;  // of the angle between a plane's normal and a ray
+constexpr double kLeastBall = 0.25;    // [cells]
 constexpr double kOffCenter = 0.9;  // [cells] balls are centred on cells: half a diagonal, rounding
 
-/** Of a ray, away from its end: where balls go. */
+/** Of a ray, away from its end: where balls go. Lengths in cells, places relative to the anchor. */
 struct Walk {
-    DoubleRow end, back;  // [cells] the ray's end, and the unit vector towards the origin
-    double length;        // [cells]
+    double end[3], back[3];  // the ray's end, and the unit vector towards the origin
+    double per_back[3];      // 1 / back; huge where it is 0
+    double length;
     double slope, start;  // a ball t cells from the end has the radius slope * (t - start), up to R
+    double passes;        // from the end: the ray has passed what lies before
 };
 
-AKIMAP_INLINE Walk walkOf(const Ray& r, double per_cell, double slope, double start) {
-    double back[3];
-    for (std::size_t i = 0; i < 3; i++) back[i] = r.origin[i] - r.end[i];
-    const double length = std::hypot(back[0], back[1], back[2]);
-    for (double& b : back) b /= length;
-    const DoubleRow end = DoubleRow{r.end[0], r.end[1], r.end[2]} * per_cell;
-    return {end, DoubleRow{back[0], back[1], back[2]}, length * per_cell, slope, start};
-}
-
-/** From a hit, whose plane the balls hardly cross. */
-AKIMAP_INLINE Walk walkFrom(const Ray& r, const HitPlane& s, double per_cell) {
-    Walk w = walkOf(r, per_cell, kClearance, 0);
-    if (s.flat)
-        w.slope *= std::abs(w.back[0] * static_cast<double>(s.normal[0]) +
-                            w.back[1] * static_cast<double>(s.normal[1]) +
-                            w.back[2] * static_cast<double>(s.normal[2]));
+AKIMAP_INLINE Walk walkOf(const Ray& r, const RayMarking& m, double slope, double start) {
+    Walk w{};
+    const double lowest[3] = {static_cast<double>(m.anchor.x), static_cast<double>(m.anchor.y),
+                              static_cast<double>(m.anchor.z)};
+    for (std::size_t i = 0; i < 3; i++) w.back[i] = r.origin[i] - r.end[i];
+    const double length =
+        std::sqrt(w.back[0] * w.back[0] + w.back[1] * w.back[1] + w.back[2] * w.back[2]);
+    for (std::size_t i = 0; i < 3; i++) {
+        w.back[i] /= length;
+        w.per_back[i] = 1 / (std::abs(w.back[i]) > 1e-12 ? w.back[i] : 1e-12);
+        w.end[i] = r.end[i] / m.resolution - lowest[i];
+    }
+    w.length = length / m.resolution;
+    w.slope = slope, w.start = w.passes = start;
     return w;
 }
 
-/** The cell at this way from the hit [cells]. */
-AKIMAP_INLINE CellIndex cellOn(const Walk& w, double t, const CellIndex& anchor) {
-    using Whole = int32_t __attribute__((vector_size(16)));
-    const DoubleRow at = w.end + w.back * t;
-    Whole cell = __builtin_convertvector(at, Whole);  // towards zero
-    cell += __builtin_convertvector(at < __builtin_convertvector(cell, DoubleRow), Whole);
-    return {cell[0] - anchor.x, cell[1] - anchor.y, cell[2] - anchor.z};
+/** From a hit, whose plane the balls hardly cross. */
+AKIMAP_INLINE Walk walkFrom(const Ray& r, const Patch& p, const RayMarking& m) {
+    Walk w = walkOf(r, m, 0, 0);
+    const double cosine = std::abs(w.back[0] * static_cast<double>(p.normal[0]) +
+                                   w.back[1] * static_cast<double>(p.normal[1]) +
+                                   w.back[2] * static_cast<double>(p.normal[2]));
+    w.slope = kClearance * std::max(cosine, kLeastCosine);
+    w.passes = kClearance / std::max(cosine, kLeastCosine);
+    return w;
 }
 
-/** Marks the balls along a ray, R = radius [cells]. \return number of balls */
-AKIMAP_INLINE std::size_t markRay(const Walk& w, double radius, const CellIndex& anchor,
-                                  FreeBalls& free) {
-    std::size_t balls = 0;
-    double t = 1;
-    for (double ball; t < w.length && (ball = w.slope * (t - w.start)) < radius;
-         t += std::max(1.0, kStep * ball)) {
-        if (ball < kLeastBall) continue;
-        balls++;
-        free.mark(cellOn(w, t, anchor),
-                  static_cast<uint16_t>(kPowerUnit * (radius * radius - ball * ball)));
+/** Calls visit(box, enter, leave) for the boxes of this side [cells] along a part of a ray, in
+ * order. (Amanatides and Woo 1987.) */
+template <class Visit>
+AKIMAP_INLINE void walkBoxes(const Walk& w, double side, double from, double to, Visit&& visit) {
+    int32_t box[3], step[3];
+    double next[3], stride[3];
+    for (int a = 0; a < 3; a++) {
+        const double at = w.end[a] + w.back[a] * from;
+        box[a] = static_cast<int32_t>(std::floor(at / side));
+        const bool up = w.per_back[a] > 0;
+        step[a] = up ? 1 : -1;
+        stride[a] = side * std::abs(w.per_back[a]);
+        next[a] = ((box[a] + up) * side - w.end[a]) * w.per_back[a];
     }
-    const double step = std::max(1.0, kStep * radius);
-    for (; t < w.length; t += step, balls++) free.mark(cellOn(w, t, anchor), 0);
-    return balls;
+    for (double t = from; t < to;) {
+        const int a =
+            next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
+        visit(CellIndex{box[0], box[1], box[2]}, t, std::min(next[a], to));
+        t = next[a];
+        next[a] += stride[a];
+        box[a] += step[a];
+    }
+}
+
+/** Marks a place of a ray, a block's cell. */
+AKIMAP_INLINE void markPlace(const Walk& w, double t, double radius, int cell, unsigned returns,
+                             FreeBalls::Marks marks) {
+    const double ball = std::min(w.slope * (t - w.start), radius);
+    const bool passed = t >= w.passes;
+    if (ball < kLeastBall && !passed) return;
+    const double power = radius * radius - std::max(ball, 0.0) * std::max(ball, 0.0);
+    marks.ball(cell, static_cast<uint16_t>(kPowerUnit * power));
+    if (passed) marks.pass(cell, returns);
+}
+
+/** The cell of a block at a place of a ray, which rounding may put beside it. */
+AKIMAP_INLINE int cellIn(const CellIndex& block, const CellIndex& c) {
+    const auto inside = [](int32_t v) { return std::clamp(v, 0, Block::kSide - 1); };
+    return Block::offset(inside(c.x - block.x * Block::kSide), inside(c.y - block.y * Block::kSide),
+                         inside(c.z - block.z * Block::kSide));
+}
+AKIMAP_INLINE CellIndex cellOn(const Walk& w, double t) {
+    const auto at = [&](int a) {
+        return static_cast<int32_t>(std::floor(w.end[a] + w.back[a] * t));
+    };
+    return {at(0), at(1), at(2)};
+}
+
+/** Marks the cells of a block along a part of a ray that lies far from its hit: all alike. */
+AKIMAP_INLINE void markFar(const Walk& w, const CellIndex& b, double from, double to,
+                           unsigned returns, FreeBalls::Marks marks) {
+    constexpr double kShortest =
+        1e-6;  // [cells] of a chord: rounding must not lead out of the block
+    const int32_t low[3] = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
+    double next[3], stride[3];
+    int step[3], cell = 0;
+    for (int a = 0; a < 3; a++) {
+        const double at = w.end[a] + w.back[a] * from - low[a];
+        const int first = std::clamp(static_cast<int>(at), 0, Block::kSide - 1);
+        const bool up = w.per_back[a] > 0;
+        cell |= first << 3 * a, step[a] = (up ? 1 : -1) << 3 * a;
+        stride[a] = std::abs(w.per_back[a]);
+        next[a] = (low[a] + first + up - w.end[a]) * w.per_back[a];
+    }
+    for (;;) {  // without branches: each axis is as likely as the others
+        marks.ball(cell, 0);
+        marks.pass(cell, returns);
+        const double t = std::min(next[0], std::min(next[1], next[2]));
+        if (t > to - kShortest) return;
+        const bool x = next[0] == t, y = !x && next[1] == t, z = !x && !y;
+        cell = (cell + (x ? step[0] : y ? step[1] : step[2])) & (Block::kCells - 1);
+        next[0] += x ? stride[0] : 0, next[1] += y ? stride[1] : 0, next[2] += z ? stride[2] : 0;
+    }
+}
+
+/** Marks a ray block by block: cell by cell near surfaces, and with steps elsewhere.
+ * \param returns that the ray stands for */
+AKIMAP_INLINE void markRay(const Walk& w, const RayMarking& m, unsigned returns, FreeBalls& free) {
+    const double radius = m.radius, step = std::max(1.0, kStep * radius);
+    const double far = std::max(w.passes, w.start + radius / w.slope);
+    const auto near = [&](uint64_t key) { return m.isNearSurface(key); };
+    walkBoxes(w, Block::kSide, 0, w.length,
+              [&](const CellIndex& b, double enter, double leave) AKIMAP_INLINE_LAMBDA {
+                  const uint32_t block = free.numberOf(packKey(b), near);
+                  if (!free.isExact(block))
+                      for (double t = std::ceil(enter / step) * step; t < leave; t += step)
+                          markPlace(w, t, radius, cellIn(b, cellOn(w, t)), returns,
+                                    free.marksOf(block));
+                  else if (enter >= far)
+                      markFar(w, b, enter, leave, returns, free.marksOf(block));
+                  else
+                      walkBoxes(w, 1, enter, leave,
+                                [&](const CellIndex& c, double t, double end) AKIMAP_INLINE_LAMBDA {
+                                    markPlace(w, 0.5 * (t + end), radius, cellIn(b, c), returns,
+                                              free.marksOf(block));
+                                });
+              });
 }
 
 AKIMAP_MULTIVERSION
-std::size_t markRange(const KeptRay* rays, const HitPlane* planes, std::size_t n, double radius,
-                      double per_cell, const CellIndex& anchor, FreeBalls& free) {
-    std::size_t balls = 0;
+void markRange(const RayMarking& m, const KeptRay* rays, const Patch* patches, std::size_t n,
+               FreeBalls& free) {
     for (std::size_t i = 0; i < n; i++)
-        balls += markRay(walkFrom(*rays[i].ray, planes[i], per_cell), radius, anchor, free);
-    return balls;
+        markRay(walkFrom(*rays[i].ray, patches[i], m), m, rays[i].returns, free);
 }
 
 }  // namespace
 
-std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitPlane>& planes,
-                        double radius, double resolution, const CellIndex& anchor,
-                        std::vector<FreeBalls>& parts, FreeBalls& free) {
+bool RayMarking::isNearSurface(uint64_t key) const {
+    if (patches.numbers.find(key) != KeyTable::kNone) return true;
+    const Block* block = grid.find(blockInMap(key, anchor));
+    return block && block->surface;
+}
+
+void markHitRays(const RayMarking& m, const std::vector<KeptRay>& rays,
+                 std::vector<FreeBalls>& parts, FreeBalls& free) {
     constexpr std::size_t kFewest = 1000;  // rays of a part
     const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t n = std::clamp(rays.size() / kFewest, std::size_t{1}, threads);
     parts.resize(std::max(parts.size(), n));
-    std::atomic<std::size_t> balls{0};
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t p) {
         const std::size_t begin = rays.size() * p / n, end = rays.size() * (p + 1) / n;
         FreeBalls& part = p == 0 ? free : parts[p];
         part.clear();
-        balls += markRange(rays.data() + begin, planes.data() + begin, end - begin, radius,
-                           1 / resolution, anchor, part);
+        markRange(m, rays.data() + begin, m.patches.patches.data() + begin, end - begin, part);
     });
     for (std::size_t p = 1; p < n; p++) free.merge(parts[p]);
-    return balls;
 }
 
-std::size_t markBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                      const CellIndex& anchor, FreeBalls& free) {
-    std::size_t balls = 0;
-    for (const Ray& r : beams)
-        balls += markRay(walkOf(r, 1 / resolution, 1, kOffCenter), radius, anchor, free);
-    return balls;
+void markBeams(const RayMarking& m, const std::vector<Ray>& beams, FreeBalls& free) {
+    for (const Ray& r : beams) markRay(walkOf(r, m, 1, kOffCenter), m, 1, free);
 }
 
 }  // namespace akimap

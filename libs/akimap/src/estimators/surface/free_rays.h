@@ -2,27 +2,33 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include "estimators/hits.h"
 #include "estimators/surface/FreeBalls.h"
-#include "estimators/surface/hit_planes.h"
+#include "estimators/surface/patches.h"
 
 namespace akimap {
 
+/** What the rays of a scan are marked with. */
+struct RayMarking {
+    double resolution;             ///< [m]
+    double radius;                 ///< R, of the largest balls [cells]
+    CellIndex anchor;              ///< of the samples: the marked blocks are relative to it
+    const BinnedPatches& patches;  ///< of the hits
+    const BlockGrid& grid;         ///< before the scan
+
+    /** Whether the block has surfaces, or gets some: its cells must know each ray that passes. */
+    [[nodiscard]] bool isNearSurface(uint64_t key) const;
+};
+
 /** Marks the free space along each hit's ray: balls as wide as the gaps between rays, and narrower
  * where the hit's surface is near, whose plane they hardly cross. Each thread marks some of the
- * rays; the least of their powers does not depend on which. Runs in the caller's TBB arena.
- * \param radius R [cells]
- * \param anchor of the samples: the blocks of `free` are relative to it
- * \param parts scratch
- * \return number of balls */
-std::size_t markHitRays(const std::vector<KeptRay>& rays, const std::vector<HitPlane>& planes,
-                        double radius, double resolution, const CellIndex& anchor,
-                        std::vector<FreeBalls>& parts, FreeBalls& free);
+ * rays; the marks do not depend on which. Runs in the caller's TBB arena.
+ * \param rays of the hits \param parts scratch \param free its marks are replaced */
+void markHitRays(const RayMarking& marking, const std::vector<KeptRay>& rays,
+                 std::vector<FreeBalls>& parts, FreeBalls& free);
 
 /** Marks more, along beams that met nothing: balls within the sphere of the beam's length about its
- * origin.
- * \param beams cut off where they are known to be free
- * \return number of balls */
-std::size_t markBeams(const std::vector<Ray>& beams, double radius, double resolution,
-                      const CellIndex& anchor, FreeBalls& free);
+ * origin. \param beams cut off where they are known to be free */
+void markBeams(const RayMarking& marking, const std::vector<Ray>& beams, FreeBalls& free);
 
 }  // namespace akimap

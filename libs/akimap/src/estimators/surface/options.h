@@ -9,7 +9,8 @@ namespace akimap {
 /** Calls visit(name, field, comment) for each option. */
 template <class Parameters, class Visitor>
 void visitSurfaceFields(Parameters& o, Visitor&& visit) {
-    visit("surface_range", o.surface_range, "[m] > 0. surface: neighbours of a hit are sought no farther");
+    visit("surface_range", o.surface_range,
+          "[m] > 0. surface: neighbours of a hit are sought no farther");
     visit("free_radius", o.free_radius,
           "[m] > 0. surface: how far free space reaches from a ray; 1.5 to 8 cells");
     visit("max_evidence", o.max_evidence,
