@@ -12,7 +12,7 @@
 #include <filesystem>
 
 #include "evaluation/evaluate.h"
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 #include "sanitized.h"
 #include "simulation/simulate.h"
 

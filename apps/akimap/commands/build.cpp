@@ -39,6 +39,13 @@ void addOutputOptions(CLI::App& command, BuildRequest& request) {
         ->group(kOutputGroup);
     command.add_option("--json", request.json, "Write counts, times [s] and memory [bytes]")
         ->group(kOutputGroup);
+    command
+        .add_option("--on-interrupt", request.on_interrupt,
+                    "^C or SIGTERM: save the map of the scans so far, or discard it; a second one "
+                    "stops at once")
+        ->check(CLI::IsMember({"save", "discard"}))
+        ->type_name("NAME")
+        ->group(kOutputGroup);
     command.add_flag("--quiet", request.quiet, "No progress bar and no table")->group(kOutputGroup);
 }
 

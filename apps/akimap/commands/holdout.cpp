@@ -79,8 +79,13 @@ void check(const HoldoutRequest& request) {
         throw std::runtime_error("--depth-scan " + std::to_string(request.depth_scan) +
                                  ": with --every " + std::to_string(request.every) +
                                  " this scan is not held out");
-    std::vector<std::string> read = request.input.inputs;
-    read.insert(read.end(), {request.map.config, request.input.trajectory});
+    if (request.quiet && request.json.empty() && request.roc.empty() &&
+        request.calibration.empty() && request.depth_picture.empty())
+        throw std::runtime_error(
+            "--quiet without an output leaves nothing to do: --json, --roc, "
+            "--calibration or --depth-picture FILE");
+    std::vector<std::string> read = filesRead(request.input);
+    read.push_back(request.map.config);
     checkOutputs({request.json, request.roc, request.calibration, request.depth_picture}, read);
     for (const std::string& plot : {request.roc, request.calibration})
         if (!plot.empty()) checkPlottable(plot);
@@ -98,7 +103,7 @@ void plotCurves(const ContestResult& result, const HoldoutRequest& request) {
     if (!request.calibration.empty()) writeFigure(calibrationFigure(maps), request.calibration);
 }
 
-void run(const HoldoutRequest& request) {
+void hold(const HoldoutRequest& request) {
     const AkiMap configured = makeMapFor(request.map);
     check(request);
     ScanFeed feed(request.input);
@@ -113,6 +118,10 @@ void run(const HoldoutRequest& request) {
     if (!request.quiet) printTable(result, std::cout);
     plotCurves(result, request);
     if (!request.depth_picture.empty()) writeDepthPicture(result, request.depth_picture);
+}
+
+void run(const HoldoutRequest& request) {
+    withErrorsInJson(request.json, filesRead(request.input), [&] { hold(request); });
 }
 
 void addOutputOptions(CLI::App& command, HoldoutRequest& request) {
