@@ -122,14 +122,13 @@ TEST_F(Clouds, TextThatIsNoCloudIsRefused) {
     expectRefused("t.txt", "1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n", "a pose of 4 x 4 numbers");
 }
 
-TEST_F(Clouds, PcdKeepsItsRingsTimesAndViewpoint) {
+TEST_F(Clouds, PcdKeepsIntensitiesTimesAndViewpoint) {
     const Cloud cloud =
         read("r.pcd",
              "FIELDS x y z intensity ring time\nSIZE 4 4 4 4 2 4\nTYPE F F F F U F\n"
              "WIDTH 1\nHEIGHT 1\nVIEWPOINT 1 2 3 0 0 0 1\nDATA ascii\n"
              "1 2 3 40 15 0.05\n");
     EXPECT_EQ(cloud.intensity.at(0), 40);
-    EXPECT_EQ(cloud.ring.at(0), 15);
     EXPECT_NEAR(cloud.time.at(0), 0.05, 1e-6);
     ASSERT_TRUE(cloud.viewpoint);
     EXPECT_TRUE(cloud.viewpoint->isRotated());

@@ -72,6 +72,11 @@ TEST_F(NeverLost, AnErrorDoesNotReplaceAnInputByItsJson) {
     const auto run = runProgram("build " + pcd + " -o " + file("m.akimap") + " --json " + pcd);
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(readText(pcd), asciiPcd("2 0 1\n", 1));
+    write("older.akimap", "an older map");
+    const auto twice = runProgram("build " + pcd + " -o " + file("older.akimap") + " --json " +
+                                  file("older.akimap"));
+    EXPECT_EQ(twice.exit, 1);
+    EXPECT_EQ(readText(file("older.akimap")), "an older map");
 }
 
 TEST_F(NeverLost, HoldoutWithoutAnOutputIsRefused) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "errors.h"
+#include "help.h"
 #include "input/bags/BagSource.h"
 #include "support/pending_files.h"
 #include "support/similar.h"
@@ -70,7 +71,7 @@ int parseAndRun(std::vector<std::string> arguments,
                  "akimap"};
     app.set_version_flag("--version", [] { return versionText(); });
     app.require_subcommand(1);
-    app.get_formatter()->column_width(36);
+    app.formatter(std::make_shared<HelpFormatter>());
     app.option_defaults()->always_capture_default();
     app.footer(kStatusTable);
     for (const auto add : commands) add(app);

@@ -11,6 +11,7 @@
 #include "checking/ScanSurvey.h"
 #include "cli.h"
 #include "commands/commands.h"
+#include "help.h"
 #include "input/scan_feed.h"
 #include "output/outputs.h"
 #include "quantile.h"
@@ -20,15 +21,10 @@ namespace akimap::app {
 
 namespace {
 
-constexpr const char* kExamples =
+constexpr const char* kFooter =
     "Agreement: of the cells of 0.2 m that returns of earlier scans ended in and a scan sees, the\n"
-    "share that it ends in too and does not look through: with the poses, with all scans at the "
-    "first\n"
-    "pose, and with the poses inverted. Where the sensor moves, the right poses have the "
-    "largest.\n\n"
-    "Examples:\n"
-    "  akimap check scans/ --poses poses.txt\n"
-    "  akimap check drive.bag --json drive.json";
+    "share that it ends in too and does not look through: with the poses, with all scans at the\n"
+    "first pose, and with the poses inverted. Where the sensor moves, the right poses win.";
 
 struct CheckRequest {
     InputRequest input;
@@ -126,11 +122,12 @@ void run(const CheckRequest& request) {
 void addCheck(CLI::App& app) {
     auto* command =
         app.add_subcommand("check", "Tell what is in inputs, and what looks wrong with them");
-    command->footer(kExamples);
+    command->footer(kFooter);
     const auto request = std::make_shared<CheckRequest>();
     addInputOptions(*command, request->input);
     command->add_option("--json", request->json, "Write the figures to this file too");
     command->add_flag("--quiet", request->quiet, "No progress bar and no table");
+    addExamples(*command, "check scans/ --poses poses.txt", "check drive.bag --json drive.json");
     command->callback([request] { run(*request); });
 }
 

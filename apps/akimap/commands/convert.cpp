@@ -8,6 +8,7 @@
 
 #include "cli.h"
 #include "commands/commands.h"
+#include "help.h"
 #include "input/scan_feed.h"
 #include "output/outputs.h"
 #include "output/scan_log.h"
@@ -16,11 +17,8 @@ namespace akimap::app {
 
 namespace {
 
-constexpr const char* kExamples =
-    "Scans without a time get one, a second apart; points that are not finite are left out.\n\n"
-    "Examples:\n"
-    "  akimap convert scans/ --poses poses.txt -o drive.rawlog\n"
-    "  akimap convert drive.bag -o drive.simplemap      # for observations2map";
+constexpr const char* kFooter =
+    "Scans without a time get one, a second apart; points that are not finite are left out.";
 
 struct ConvertRequest {
     InputRequest input;
@@ -58,12 +56,14 @@ void run(const ConvertRequest& request) {
 void addConvert(CLI::App& app) {
     auto* command = app.add_subcommand(
         "convert", "Write any input, with its poses, as a rawlog or simplemap for MRPT");
-    command->footer(kExamples);
+    command->footer(kFooter);
     const auto request = std::make_shared<ConvertRequest>();
     addInputOptions(*command, request->input);
     command->add_option("-o,--output", request->output, "The .rawlog or .simplemap to write")
         ->required();
     command->add_flag("--quiet", request->quiet, "No progress bar and no summary");
+    addExamples(*command, "convert scans/ --poses poses.txt -o drive.rawlog",
+                "convert drive.bag -o drive.simplemap");
     command->callback([request] { run(*request); });
 }
 

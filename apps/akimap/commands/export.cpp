@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands/commands.h"
+#include "help.h"
 #include "output/export_map.h"
 
 namespace akimap::app {
@@ -46,6 +47,8 @@ void addExport(CLI::App& app) {
     command->add_option(
         "--slice", request->options.slice,
         "[m] Height of the slice in a .png [default: above the floor, where most is known]");
+    addExamples(*command, "export drive.akimap drive.ply",
+                "export drive.akimap drive.png --slice 1.2 --unknown");
     command->callback([request] { run(*request); });
 }
 

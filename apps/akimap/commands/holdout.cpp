@@ -10,6 +10,7 @@
 #include "evaluation/contest/contest_report.h"
 #include "evaluation/contest/depth_picture.h"
 #include "evaluation/report.h"
+#include "help.h"
 #include "input/scan_feed.h"
 #include "mapping/map_options.h"
 #include "output/outputs.h"
@@ -121,7 +122,10 @@ void hold(const HoldoutRequest& request) {
 }
 
 void run(const HoldoutRequest& request) {
-    withErrorsInJson(request.json, filesRead(request.input), [&] { hold(request); });
+    std::vector<std::string> others = filesRead(request.input);
+    others.insert(others.end(),
+                  {request.map.config, request.roc, request.calibration, request.depth_picture});
+    withErrorsInJson(request.json, others, [&] { hold(request); });
 }
 
 void addOutputOptions(CLI::App& command, HoldoutRequest& request) {
@@ -163,6 +167,8 @@ void addHoldout(CLI::App& app) {
         ->group(kInputGroup);
     addMapOptions(*command, request->map);
     addOutputOptions(*command, *request);
+    addExamples(*command, "holdout drive.rawlog --poses poses.tum --every 5",
+                "holdout scans/ --poses poses.txt --depth-picture next.png --json next.json");
     command->callback([request] { run(*request); });
 }
 

@@ -28,7 +28,8 @@ struct InputRequest {
     double idle = 10;        ///< [s] it is at its end when it has not grown for so long
 };
 
-inline constexpr const char* kInputGroup = "Input";
+inline constexpr const char* kInputGroup =
+    "Input (--poses wins over a log's own poses, and these over its odometry)";
 
 /** Adds INPUT... and the options that say which scans are taken and where they were. */
 void addInputOptions(CLI::App& command, InputRequest& request);

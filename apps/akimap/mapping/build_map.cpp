@@ -117,7 +117,10 @@ void build(const BuildRequest& request, AkiMap& map, BuildReport& report) {
 void buildMap(const BuildRequest& request) {
     AkiMap map = makeMapFor(request.map);
     BuildReport report;
-    withErrorsInJson(request.json, filesRead(request.input), [&] {
+    std::vector<std::string> others = filesRead(request.input);
+    others.insert(others.end(), request.exports.begin(), request.exports.end());
+    others.insert(others.end(), {request.output, request.map.config});
+    withErrorsInJson(request.json, others, [&] {
         checkRequest(request);
         build(request, map, report);
     });

@@ -41,13 +41,16 @@ void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std
     }
 }
 
-void withErrorsInJson(const std::string& json, const std::vector<std::string>& read,
+void withErrorsInJson(const std::string& json, const std::vector<std::string>& others,
                       const std::function<void()>& work) {
     const auto note = [&](const std::string& reason) {
         if (json.empty()) return;
         try {
-            checkOutputs({json}, read);
-            writeWhole(json, nlohmann::json{{"error", reason}}.dump(2) + "\n");
+            checkOutputs({json}, others);
+            const nlohmann::json error{{"error", reason}};
+            // A file's name in it need not be UTF-8.
+            writeWhole(json,
+                       error.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
         } catch (const std::exception&) {  // the first failure is the one to tell of
         }
     };

@@ -14,8 +14,8 @@ namespace akimap::app {
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read);
 
 /** Does the work; of what it throws, the reason goes to the JSON file too, as "error", for scripts.
- * \param json empty: none. \param read files that it must not replace */
-void withErrorsInJson(const std::string& json, const std::vector<std::string>& read,
+ * \param json empty: none. \param others the inputs and other outputs, which it must not replace */
+void withErrorsInJson(const std::string& json, const std::vector<std::string>& others,
                       const std::function<void()>& work);
 
 }  // namespace akimap::app

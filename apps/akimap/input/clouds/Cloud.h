@@ -22,7 +22,6 @@ struct Cloud {
     std::vector<std::array<double, 3>> points;  ///< [m]; finite or not
     // One for each point, or none:
     std::vector<float> intensity;
-    std::vector<float> ring;   ///< number of the laser
     std::vector<double> time;  ///< [s], of the epoch or since any moment of the scan
     std::optional<PcdViewpoint> viewpoint;
 };

@@ -18,8 +18,8 @@ struct PcdHeader {
 
     std::vector<PointField> fields;
     std::size_t points = 0;
-    std::size_t columns = 0;         ///< numbers in a line of ascii data
-    std::size_t point_size = 0;      ///< [bytes] of a binary point
+    std::size_t columns = 0;     ///< numbers in a line of ascii data
+    std::size_t point_size = 0;  ///< [bytes] of a binary point
     std::optional<PcdViewpoint> viewpoint;
     Data data = Data::ascii;
     std::size_t lines = 0;  ///< in the header; the data start behind them

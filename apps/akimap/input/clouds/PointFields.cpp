@@ -46,7 +46,6 @@ FieldRoles rolesOf(const std::vector<PointField>& fields) {
         roles.xyz[axis] = i;
     }
     roles.intensity = find(fields, {"intensity", "i", "reflectivity", "scalar_intensity"});
-    roles.ring = find(fields, {"ring", "line", "channel", "laser_id"});
     roles.time = find(fields, {"t", "time", "offset_time", "timestamp", "time_stamp"});
     return roles;
 }

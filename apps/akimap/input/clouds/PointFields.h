@@ -26,7 +26,7 @@ struct PointField {
 /** Which of a point's fields mean something to a map. */
 struct FieldRoles {
     std::array<std::size_t, 3> xyz{};
-    std::optional<std::size_t> intensity, ring, time;
+    std::optional<std::size_t> intensity, time;
 };
 
 /** \exception std::runtime_error saying which of x, y and z is missing or no number of 4 or 8 bytes
@@ -46,7 +46,6 @@ class CloudFiller {
         cloud_.points.push_back(p);
         if (roles_.intensity)
             cloud_.intensity.push_back(static_cast<float>(valueOf(fields_[*roles_.intensity])));
-        if (roles_.ring) cloud_.ring.push_back(static_cast<float>(valueOf(fields_[*roles_.ring])));
         if (roles_.time) cloud_.time.push_back(time_unit_ * valueOf(fields_[*roles_.time]));
     }
     [[nodiscard]] Cloud& cloud() { return cloud_; }
