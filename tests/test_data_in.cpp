@@ -275,6 +275,23 @@ TEST_F(DataIn, PointsWithTimesAreTakenFromWhereTheSensorWasThen) {
     EXPECT_GT(depthOfWall(" --no-deskew"), 0.7);
 }
 
+TEST_F(DataIn, PosesThatDoNotMatchAreWarnedOf) {
+    writeRooms(none);
+    std::string inverted;
+    for (int i = 0; i < kRooms; i++) {
+        const auto m = (-placeOf(i)).getHomogeneousMatrixVal<mrpt::math::CMatrixDouble44>();
+        char number[40];
+        for (int k = 0; k < 12; k++) {
+            std::snprintf(number, sizeof number, "%.12f ", m(k / 4, k % 4));
+            inverted += number;
+        }
+        inverted += "\n";
+    }
+    const auto run = build(file("scans") + " --poses " + write("inverted.txt", inverted));
+    EXPECT_EQ(run.exit, 0);
+    EXPECT_TRUE(holds(run.err, "warning: the inverses of the poses match better")) << run.err;
+}
+
 // Folders and files -----------------------------------------------------------------------
 
 TEST_F(DataIn, FoldersThatAreNoneOfOursAreRefused) {

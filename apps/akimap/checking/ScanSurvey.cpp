@@ -18,9 +18,8 @@ namespace {
 using mrpt::poses::CPose3D;
 using Place = std::array<double, 3>;
 
-constexpr double kCell = 0.2;           // [m]
-constexpr int kHalf = 1 << 20;          // cells each way: 200 km
-constexpr std::size_t kSampled = 5000;  // rays of a scan that are looked at, at most
+constexpr double kCell = 0.2;   // [m]
+constexpr int kHalf = 1 << 20;  // cells each way: 200 km
 
 int cellOf(double metres) {
     return static_cast<int>(std::floor(std::clamp(metres / kCell, -1. * kHalf, kHalf - 1.)));
@@ -58,6 +57,7 @@ void SeenCells::add(const std::vector<Ray>& rays) {
     if (both + static_cast<std::ptrdiff_t>(passed.size()) > 0) {
         sum_ += static_cast<double>(both) / static_cast<double>(both + passed.size());
         scans_++;
+        compared_ += static_cast<std::size_t>(both) + passed.size();
     }
     cells_.insert(ends.begin(), ends.end());
 }
@@ -93,7 +93,7 @@ void ScanSurvey::add(const Scan& scan, const std::vector<Ray>& rays) {
 }
 
 void ScanSurvey::compare(const CPose3D& sensor, const std::vector<Ray>& rays) {
-    const std::size_t step = rays.size() / kSampled + 1;
+    const std::size_t step = rays.size() / rays_ + 1;
     const CPose3D inverse = -sensor;
     std::vector<Ray> posed, unposed, inverted;
     const auto moved = [&](const CPose3D& to, const Ray& ray) {
@@ -169,6 +169,13 @@ std::vector<std::string> ScanSurvey::findings() const {
         lines.push_back(mrpt::format("%zu times are earlier than the scan's before", late));
     if (scans() > 1 && std::all_of(metres.begin(), metres.end(), [](double m) { return m == 0; }))
         lines.emplace_back("all scans have one and the same pose");
+    const auto more = mismatches();
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+}
+
+std::vector<std::string> ScanSurvey::mismatches() const {
+    std::vector<std::string> lines;
     const Agreement a = agreement();
     constexpr double kClear = 0.1;
     if (a.unposed > a.posed + kClear)

@@ -32,17 +32,22 @@ class SeenCells {
     void add(const std::vector<Ray>& rays);
     /** The mean agreement of the scans added so far; 1 if none saw what another had seen. */
     [[nodiscard]] double agreement() const;
+    /** Cells that the mean is made of. */
+    [[nodiscard]] std::size_t compared() const { return compared_; }
     [[nodiscard]] const Cells& cells() const { return cells_; }
 
  private:
     Cells cells_;
     double sum_ = 0;
-    std::size_t scans_ = 0;
+    std::size_t scans_ = 0, compared_ = 0;
 };
 
 /** Looks at scans one by one, and keeps what `akimap check` tells of them. */
 class ScanSurvey {
  public:
+    /** \param rays of each scan that are compared, at most */
+    explicit ScanSurvey(std::size_t rays = 5000) : rays_(rays) {}
+
     void add(const Scan& scan, const std::vector<Ray>& rays);
 
     struct Step {
@@ -62,12 +67,17 @@ class ScanSurvey {
     [[nodiscard]] Agreement agreement() const;
     /** "+z" and the like: where the flat thing that most returns lie on, the floor, is low. */
     [[nodiscard]] std::string upAxis() const;
-    /** What looks wrong, a line each. */
+    /** Cells that the agreement is made of: few tell little. */
+    [[nodiscard]] std::size_t compared() const { return posed_.compared(); }
+    /** How the poses do not match the scans, a line each. */
+    [[nodiscard]] std::vector<std::string> mismatches() const;
+    /** What looks wrong, a line each; mismatches too. */
     [[nodiscard]] std::vector<std::string> findings() const;
 
  private:
     void compare(const mrpt::poses::CPose3D& sensor, const std::vector<Ray>& rays);
 
+    std::size_t rays_;
     std::vector<mrpt::poses::CPose3D> poses_;  // of the sensors, in the map
     std::vector<double> points_, times_, ranges_;
     std::array<double, 3> lowest_, highest_;

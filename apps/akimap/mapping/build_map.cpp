@@ -11,6 +11,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "checking/ScanSurvey.h"
 #include "errors.h"
 #include "mapping/build_report.h"
 #include "output/export_map.h"
@@ -44,9 +45,13 @@ double stampOf(const Scan& scan, uint64_t number, double rate) {
 }
 
 /** Inserts the scans, and counts. */
-void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, BuildReport& report) {
+void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, BuildReport& report,
+                 ScanSurvey& survey) {
     if (request.realtime) report.realtime.emplace();
+    const bool is_checked = !request.input.poses.empty() && !request.realtime;
+    constexpr uint64_t kChecked = 100;  // scans: poses that are wrong are so from the start
     const auto take = [&](const Scan& scan, uint64_t number) {
+        if (is_checked && number < kChecked) survey.add(scan, raysOf(scan, false));
         if (report.realtime && !report.realtime->offer(stampOf(scan, number, request.rate))) return;
         using Clock = std::chrono::steady_clock;
         const auto start = Clock::now();
@@ -75,7 +80,11 @@ void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, Build
 }
 
 /** Tells, with the remedy, of what makes maps wrong or poor although nothing failed. */
-void warnOfPoorMap(const AkiMap& map, const ScanFeed& feed) {
+void warnOfPoorMap(const AkiMap& map, const ScanFeed& feed, const ScanSurvey& survey) {
+    constexpr std::size_t kEnough = 1000;  // cells that scans have in common
+    if (survey.compared() > kEnough)
+        for (const std::string& line : survey.mismatches())
+            warn(line + " (akimap check tells more)");
     if (feed.isFixed())
         warn(
             "all scans were taken from one and the same pose; if the sensor moved, --poses FILE "
@@ -93,13 +102,14 @@ void warnOfPoorMap(const AkiMap& map, const ScanFeed& feed) {
 
 void build(const BuildRequest& request, AkiMap& map, BuildReport& report) {
     ScanFeed feed(request.input);
-    insertScans(map, feed, request, report);
+    ScanSurvey survey(1000);
+    insertScans(map, feed, request, report, survey);
     if (map.isEmpty()) {
         if (report.interrupted)
             throw Interrupted("interrupted before the first scan was in the map; nothing written");
         refuseNothing(report, feed);
     }
-    warnOfPoorMap(map, feed);
+    warnOfPoorMap(map, feed, survey);
     report.cells = map.cellCount();
     report.map_bytes = map.memoryBytes();
     map.saveToFile(request.output);  // first: what the exports refuse must not cost a map
