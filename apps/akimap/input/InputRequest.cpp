@@ -10,26 +10,26 @@
 
 namespace akimap::app {
 
-void addInputOptions(CLI::App& command, InputRequest& request) {
-    command
-        .add_option("INPUT", request.inputs,
-                    "Logs (.rawlog, .simplemap, .bag), point clouds (.pcd .ply .bin .txt .csv "
-                    ".xyz), or folders of clouds; clouds in natural order")
-        ->default_str("");
-    const auto add = [&](const char* flag, auto& value, const char* help) {
-        return command.add_option(flag, value, help)->group(kInputGroup);
-    };
-    add("--poses,--trajectory", request.poses,
+namespace {
+
+template <class Value>
+CLI::Option* add(CLI::App& command, const char* flag, Value& value, const char* help) {
+    return command.add_option(flag, value, help)->group(kInputGroup);
+}
+
+void addPoseOptions(CLI::App& command, InputRequest& request) {
+    add(command, "--poses,--trajectory", request.poses,
         "Poses in the map: TUM, KITTI, 4x4, g2o or Open3D file, or a folder of one a scan "
         "[default: the logs' own, VIEWPOINT of .pcd]")
         ->type_name("FILE");
-    add("--times", request.times, "Times [s] of clouds or images, a line each, for poses by time")
+    add(command, "--times", request.times,
+        "Times [s] of clouds or images, a line each, for poses by time")
         ->type_name("FILE");
-    add("--extrinsic", request.extrinsic,
+    add(command, "--extrinsic", request.extrinsic,
         "Pose of the sensor of clouds or images on what the poses are of: x,y,z,yaw,pitch,roll "
         "[m, degrees], a 4x4, or a file (KITTI's calib.txt)")
         ->type_name("POSE");
-    add("--frame", request.frame,
+    add(command, "--frame", request.frame,
         "What the points of clouds are in; map: VIEWPOINT or pose only say where the sensor "
         "stood; sensor: they place the points too")
         ->check(CLI::IsMember({"map", "sensor"}))
@@ -38,20 +38,38 @@ void addInputOptions(CLI::App& command, InputRequest& request) {
         .add_flag("--no-deskew", request.no_deskew,
                   "Leave clouds whose points have times as they are")
         ->group(kInputGroup);
-    auto* depth = add("--depth", request.depth.images,
+    add(command, "--max-gap", request.max_gap,
+        "[s] > 0. Largest gap bridged between poses with times");
+}
+
+void addDepthOptions(CLI::App& command, DepthRequest& request) {
+    auto* depth = add(command, "--depth", request.images,
                       "Depth images: a folder of .png of 16 bits, or TUM RGB-D's depth.txt");
     depth->type_name("DIR");
-    add("--intrinsics", request.depth.intrinsics,
+    add(command, "--intrinsics", request.intrinsics,
         "Their camera: fx,fy,cx,cy [pixels], or a file (3x3, Open3D's .json)")
         ->needs(depth)
         ->type_name("FILE");
-    add("--depth-scale", request.depth.scale,
+    add(command, "--depth-scale", request.scale,
         "Their steps for a metre (1000: mm; TUM RGB-D: 5000), or, below 1, metres for a step")
         ->needs(depth);
-    add("--max-gap", request.max_gap, "[s] > 0. Largest gap bridged between poses with times");
-    add("--only", request.only_label, "Take only observations with this sensor label")
+}
+
+}  // namespace
+
+void addInputOptions(CLI::App& command, InputRequest& request) {
+    command
+        .add_option(
+            "INPUT", request.inputs,
+            "Logs (.rawlog, .simplemap, .bag), point clouds (.pcd .ply .bin .txt .csv "
+            ".xyz), or folders of clouds; folders, and lists with --poses, in natural order")
+        ->default_str("");
+    addPoseOptions(command, request);
+    addDepthOptions(command, request.depth);
+    add(command, "--only", request.only_label, "Take only observations with this sensor label")
         ->type_name("LABEL");
-    add("--first", request.first, "Take only the first so many scans; 0: all")->check(kWholeNumber);
+    add(command, "--first", request.first, "Take only the first so many scans; 0: all")
+        ->check(kWholeNumber);
     command
         .add_flag("--partial", request.partial,
                   "Of a rawlog cut in its last object, take what is whole")

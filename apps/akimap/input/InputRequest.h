@@ -43,12 +43,6 @@ void checkInputOptions(const InputRequest& request);
 /** All files that will be read, those in folders too, as far as they can be told. */
 [[nodiscard]] std::vector<std::string> filesRead(const InputRequest& request);
 
-/** Files of points in the folders among the inputs in place of the folders, and all files of points
- * in their natural order, where the first of them stands.
- * \exception std::runtime_error naming the folder without any, or with those of several kinds */
-[[nodiscard]] std::vector<std::vector<std::string>> groupInputs(
-    const std::vector<std::string>& inputs);
-
 /** Opens everything that the request asks for. \param warn gets one line each time
  * \exception std::runtime_error naming the file or the option */
 [[nodiscard]] std::vector<std::unique_ptr<ScanSource>> openSources(

@@ -58,7 +58,7 @@ Files cloudsIn(const std::string& folder) {
         const bool is_text = kind == ".txt" || kind == ".csv" || kind == ".xyz";
         (is_text ? texts : clouds).push_back(file);  // texts beside clouds are their poses
     }
-    const Files& files = clouds.empty() ? texts : clouds;
+    Files& files = clouds.empty() ? texts : clouds;
     if (clouds.empty() && has_images)
         throw std::runtime_error(folder +
                                  ": images, not point clouds; depth images are taken by "
@@ -71,6 +71,7 @@ Files cloudsIn(const std::string& folder) {
             throw std::runtime_error(folder + ": point clouds of several kinds in it, " +
                                      cloudExtension(files.front()) + " and " +
                                      cloudExtension(file) + "; name the files instead");
+    std::sort(files.begin(), files.end(), naturallyBefore);
     return files;
 }
 
@@ -131,13 +132,13 @@ void refuseIdleOptions(const InputRequest& request, const std::vector<Files>& gr
     if (!request.frame.empty() && !has_clouds) refuse("--frame", "no INPUT is a point cloud");
 }
 
-}  // namespace
-
-std::vector<Files> groupInputs(const Files& inputs) {
+/** Files of points in the folders among the inputs in place of the folders, and all files of points
+ * together, where the first of them stands. */
+std::vector<Files> groupInputs(const InputRequest& request) {
     std::vector<Files> groups;
     Files clouds;
     std::size_t place = 0;
-    for (const std::string& input : inputs) {
+    for (const std::string& input : request.inputs) {
         const Files files = fs::is_directory(input) ? cloudsIn(input) : Files{input};
         if (!isCloud(files.front())) {
             groups.push_back(files);
@@ -146,15 +147,18 @@ std::vector<Files> groupInputs(const Files& inputs) {
         if (clouds.empty()) place = groups.size();
         clouds.insert(clouds.end(), files.begin(), files.end());
     }
-    std::sort(clouds.begin(), clouds.end(), naturallyBefore);
+    // A shell lists scan_10 before scan_2, which would get the other's pose.
+    if (!request.poses.empty()) std::sort(clouds.begin(), clouds.end(), naturallyBefore);
     if (!clouds.empty()) groups.insert(groups.begin() + static_cast<std::ptrdiff_t>(place), clouds);
     return groups;
 }
 
+}  // namespace
+
 Sources openSources(const InputRequest& request, std::function<void(const std::string&)> warn) {
     InputOptions options = optionsOf(request);
     options.warn = std::move(warn);
-    const std::vector<Files> groups = groupInputs(request.inputs);
+    const std::vector<Files> groups = groupInputs(request);
     refuseIdleOptions(request, groups);
     const bool has_log = std::any_of(groups.begin(), groups.end(), [](const Files& group) {
         return kindOf(group.front()) == ".rawlog" || kindOf(group.front()) == ".bag";
