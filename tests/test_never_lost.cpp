@@ -88,6 +88,22 @@ TEST_F(NeverLost, HoldoutWithoutAnOutputIsRefused) {
     expectHolds(readText(file("h.json")), "none.rawlog: no such file");
 }
 
+TEST_F(NeverLost, OnATerminalItTellsWhatItIsAt) {
+    if (runCommand("command -v script").exit != 0) GTEST_SKIP() << "needs the program script";
+    const auto onTerminal = [&](const std::string& arguments) {
+        return runCommand("script -qec \"'" + std::string(AKIMAP_PROGRAM) + "' " + arguments +
+                          "\" /dev/null")
+            .out;
+    };
+    const std::string shown =
+        onTerminal("build " + small() + " -o " + file("m.akimap") + " --export " + file("m.bt"));
+    expectHolds(shown, "writing " + file("m.akimap") + " ...");
+    expectHolds(shown, "exporting " + file("m.bt") + " ...");
+    expectHolds(onTerminal("export " + file("m.akimap") + " " + file("m.ply")), "exporting ");
+    expectHolds(onTerminal("eval " + file("m.akimap") + " --truth " + file("m.bt")), "evaluating ");
+    EXPECT_FALSE(holds(build(small() + " --export " + file("m.bt")).err, "exporting"));
+}
+
 // Signals ---------------------------------------------------------------------------------
 
 class Interrupted : public NeverLost {

@@ -9,6 +9,7 @@
 #include "evaluation/octomap_file.h"
 #include "evaluation/report.h"
 #include "help.h"
+#include "input/ProgressBar.h"
 #include "output/outputs.h"
 #include "support/AtomicFile.h"
 
@@ -32,6 +33,7 @@ void checkRequest(const EvalRequest& request) {
 
 ScoredCells cellsOf(const std::string& file, const EvalRequest& request, const Truth& truth,
                     const Box& box) {
+    const StageLine stage("evaluating " + file);
     const auto collected = [&](const auto& map, double resolution) {
         try {
             return collect(lookupIn(map), resolution, truth, box);

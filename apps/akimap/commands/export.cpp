@@ -6,6 +6,7 @@
 
 #include "commands/commands.h"
 #include "help.h"
+#include "input/ProgressBar.h"
 #include "output/export_map.h"
 
 namespace akimap::app {
@@ -27,6 +28,7 @@ void run(const ExportRequest& request) {
     if (request.options.unknown && !drawsUnknown(request.output))
         std::cerr << "akimap: --unknown changes nothing in '" << request.output
                   << "': only .png and .3Dscene draw cells without evidence\n";
+    const StageLine stage("exporting " + request.output);
     exportMap(*AkiMap::loadFromFile(request.map), request.output, request.options);
 }
 

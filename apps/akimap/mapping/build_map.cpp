@@ -13,6 +13,7 @@
 
 #include "checking/ScanSurvey.h"
 #include "errors.h"
+#include "input/ProgressBar.h"
 #include "mapping/build_report.h"
 #include "output/export_map.h"
 #include "output/outputs.h"
@@ -100,6 +101,18 @@ void warnOfPoorMap(const AkiMap& map, const ScanFeed& feed, const ScanSurvey& su
                          100 * dropped, max_range));
 }
 
+/** The map first: what the exports refuse must not cost it. */
+void saveAndExport(const AkiMap& map, const BuildRequest& request) {
+    {
+        const StageLine stage("writing " + request.output, !request.quiet);
+        map.saveToFile(request.output);
+    }
+    for (const std::string& target : request.exports) {
+        const StageLine stage("exporting " + target, !request.quiet);
+        exportMap(map, target);
+    }
+}
+
 void build(const BuildRequest& request, AkiMap& map, BuildReport& report) {
     ScanFeed feed(request.input);
     ScanSurvey survey(1000);
@@ -112,8 +125,7 @@ void build(const BuildRequest& request, AkiMap& map, BuildReport& report) {
     warnOfPoorMap(map, feed, survey);
     report.cells = map.cellCount();
     report.map_bytes = map.memoryBytes();
-    map.saveToFile(request.output);  // first: what the exports refuse must not cost a map
-    for (const std::string& target : request.exports) exportMap(map, target);
+    saveAndExport(map, request);
     report.peak_rss_bytes = peakMemoryBytes();
     if (!request.json.empty()) writeJson(report, request.json);
     if (!request.quiet) printTable(report, std::cout);
