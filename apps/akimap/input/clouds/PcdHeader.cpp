@@ -134,8 +134,8 @@ void readViewpoint(const Entries& entries, PcdHeader& header) {
         if (!parseNumber(std::string_view(viewpoint->words[i]), value) || !std::isfinite(value))
             viewpoint->refuse("'" + viewpoint->words[i] + "' is not a finite number");
     }
-    const double norm = std::hypot(std::hypot(rotation[0], rotation[1]),
-                                   std::hypot(rotation[2], rotation[3]));
+    const double norm =
+        std::hypot(std::hypot(rotation[0], rotation[1]), std::hypot(rotation[2], rotation[3]));
     if (std::abs(norm - 1) > 0.05)
         viewpoint->refuse("qw qx qy qz is not a unit quaternion: its norm is " +
                           std::to_string(norm));

@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "input/clouds/PcdHeader.h"
-#include "input/files.h"
 #include "input/clouds/lzf.h"
+#include "input/files.h"
 #include "input/numbers.h"
 
 namespace akimap::app {

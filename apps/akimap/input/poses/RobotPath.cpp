@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-
 namespace akimap::app {
 
 namespace {
