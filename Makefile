@@ -18,6 +18,9 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
   libcairo2-dev fonts-dejavu-core libgtest-dev libbenchmark-dev libxml2-utils \
   libegl1 libgl1-mesa-dri xvfb xauth xdotool netpbm
 
+# What akimap is built without where the system has no such packages: ROS 1 bags.
+OPTIONAL_PACKAGES := librosbag-storage-dev libsensor-msgs-dev libnav-msgs-dev libtf2-msgs-dev
+
 .PHONY: all configure deps demo test bench bench-instructions benchmark ablations doc-mrpt asan tsan test-trixie format clean help
 .DEFAULT_GOAL := all
 
@@ -30,7 +33,8 @@ configure: deps
 
 # Installs what is missing, and only that.
 deps:
-	@missing=$$(for p in $(PACKAGES); do \
+	@known=$$(for p in $(OPTIONAL_PACKAGES); do apt-cache show $$p >/dev/null 2>&1 && echo $$p; done); \
+	missing=$$(for p in $(PACKAGES) $$known; do \
 	    dpkg-query -W -f '$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || echo $$p; done); \
 	[ -z "$$missing" ] && exit 0; \
 	echo "Missing packages:" $$missing; \

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 
 namespace akimap::bench {
 namespace {

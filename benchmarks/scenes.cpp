@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 #include "simulation/truth.h"
 
 namespace akimap::bench {
@@ -121,8 +121,8 @@ Scene pcdFolder(const std::string& name, const std::string& folder) {
 Scene scansOf(const std::string& name, const app::InputRequest& inputs) {
     Scene s{name, {}, {}, {}};
     app::ScanFeed feed(inputs);
-    feed.forEachScan([&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan, false)); },
-                     false);
+    feed.forEachScan(
+        [&](app::Scan& scan, uint64_t) { s.scans.push_back(app::raysOf(scan, false)); }, false);
     return s;
 }
 

@@ -39,6 +39,7 @@ std::vector<Scan> readDrive(const std::string& rawlog) {
     auto archive = mrpt::serialization::archiveFrom(file);
     std::vector<Scan> scans;
     CPose3D robot;
+    bool has_poses = false;
     mrpt::obs::CActionCollection::Ptr actions;
     mrpt::obs::CSensoryFrame::Ptr frame;
     mrpt::obs::CObservation::Ptr o;
@@ -46,10 +47,13 @@ std::vector<Scan> readDrive(const std::string& rawlog) {
     while (mrpt::obs::CRawlog::getActionObservationPairOrObservation(archive, actions, frame, o,
                                                                      entry)) {
         if (const auto p = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(o))
-            robot = p->pose.mean;
+            robot = p->pose.mean, has_poses = true;
         else if (o && akimap::givesRays(*o))
             scans.push_back({o, robot});
     }
+    if (!has_poses)
+        throw std::runtime_error(rawlog + ": no robot poses in it; akimap convert " + rawlog +
+                                 " --poses FILE -o OUT.rawlog writes them");
     return scans;
 }
 

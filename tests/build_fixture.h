@@ -145,7 +145,8 @@ class Build : public ::testing::Test {
     }
     nlohmann::json json() const { return nlohmann::json::parse(readText(file("m.json"))); }
 
-    /** Expects a refusal on one line that holds all parts, and an older map left as it was. */
+    /** Expects a refusal on one line that holds all parts, which the JSON holds too if the command
+     * line was right, and an older map left as it was. */
     void expectRefused(const std::string& arguments, const std::vector<std::string>& parts) const {
         write("m.akimap", "an older map");
         std::filesystem::remove(file("m.json"));
@@ -163,6 +164,11 @@ class Build : public ::testing::Test {
         for (const std::string& part : parts)
             EXPECT_TRUE(holds(last, part)) << arguments << "\n" << run.err << "lacks " << part;
         EXPECT_EQ(readText(file("m.akimap")), "an older map");
+        if (std::filesystem::exists(file("m.json"))) {
+            const std::string error = json()["error"];
+            EXPECT_TRUE(holds(last, error)) << last << "is not " << error;
+            std::filesystem::remove(file("m.json"));
+        }
         EXPECT_EQ(count(), before) << arguments << " left a file behind";
     }
 

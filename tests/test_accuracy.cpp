@@ -13,7 +13,7 @@
 
 #include "evaluation/contest/contest.h"
 #include "evaluation/evaluate.h"
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 #include "sanitized.h"
 #include "simulation/simulate.h"
 

@@ -305,7 +305,8 @@ TEST_F(Build, TheLogsThatComeWithMrpt) {
     buildMap(data + "tests_rgbd.rawlog");
     EXPECT_EQ(json()["points"], 273225);
     const auto laser =
-        build("'" + data + "2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog'");
+        build("'" + data + "2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog'" +
+              " --max-range 80 --resolution 0.2");
     EXPECT_EQ(laser.exit, 0);
     EXPECT_EQ(laser.err, "") << "it has odometry";
     EXPECT_EQ(json()["scans"], 225);

@@ -33,7 +33,7 @@ TEST_F(Build, FilesThatAreNoneOrNotWhatTheirNameSaysAreRefused) {
     expectRefused(write("e.rawlog", ""), {file("e.rawlog") + ": not a rawlog"});
     expectRefused(write("g.simplemap", "nor is this"), {file("g.simplemap") + ": "});
     expectRefused(write("g.pcd", "nor is this"), {file("g.pcd") + ": line 1"});
-    expectRefused(write("g.las", "?"), {file("g.las") + ": not a .rawlog, .simplemap or .pcd"});
+    expectRefused(write("g.las", "?"), {file("g.las") + ": not a .rawlog", "pdal translate"});
     std::filesystem::create_directory(file("folder.rawlog"));
     expectRefused(file("folder.rawlog"), {file("folder.rawlog") + ": this is a folder"});
     // A good input before a bad one does not help.
@@ -62,8 +62,9 @@ TEST_F(Build, ATrajectoryThatDoesNotServeIsRefused) {
                   {file("bad.tum") + ":3: expected 8 numbers"});
     expectRefused(log + write("old.tum", "1 2 3 4 0 0 0 1\n"),
                   {file("old.tum") + ": covers no scan"});
-    expectRefused(write("p.pcd", asciiPcd("2 0 1\n", 1)) + " --trajectory " + trajectory(),
-                  {"t.tum: covers no scan"});
+    expectRefused(
+        write("p.pcd", asciiPcd("2 0 1\n", 1)) + " --frame map --trajectory " + trajectory(),
+        {"t.tum: 5 poses (TUM trajectory) for 1 scan", "--times FILE"});
 }
 
 TEST_F(Build, SettingsAreCheckedByNameBeforeAnyInputIsRead) {

@@ -92,8 +92,10 @@ TEST_F(Config, AnyMrptProgramWarnsOfUnknownKeys) {
     definitions.loadFromConfigFile(ini, "MappingApplication");
     EXPECT_EQ(
         testing::internal::GetCapturedStderr(),
-        "akimap: warning: [MappingApplication_akimap_00_creationOpts] unknown key resolutoin\n"
-        "akimap: warning: [MappingApplication_akimap_00_insertOpts] unknown key max_rage\n");
+        "akimap: warning: [MappingApplication_akimap_00_creationOpts] unknown key resolutoin; "
+        "did you mean resolution?\n"
+        "akimap: warning: [MappingApplication_akimap_00_insertOpts] unknown key max_rage; did you "
+        "mean max_range?\n");
 }
 
 TEST_F(Config, ValuesAreTakenWithCommentsBehindThemAndWhateverTheirCase) {
@@ -197,7 +199,8 @@ TEST_F(Config, TheProgramRefusesABadFileOnOneLineAndWritesNothing) {
                                 folder.file("m.akimap"));
     EXPECT_EQ(run.exit, 1);
     EXPECT_EQ(run.err, "akimap: " + folder.file("bad.ini") +
-                           ": [MappingApplication_akimap_00_insertOpts] unknown key max_rage\n");
+                           ": [MappingApplication_akimap_00_insertOpts] unknown key max_rage; did "
+                           "you mean max_range?\n");
     EXPECT_FALSE(std::filesystem::exists(folder.file("m.akimap")));
     const auto missing = runProgram("build none.pcd -c none.ini -o " + folder.file("m.akimap"));
     EXPECT_EQ(missing.exit, 1);

@@ -16,7 +16,7 @@
 #include "evaluation/contest/ScanProjection.h"
 #include "evaluation/contest/contest_report.h"
 #include "evaluation/contest/depth_picture.h"
-#include "input/ScanSource.h"
+#include "input/clouds/PcdReader.h"
 #include "run_program.h"
 
 using namespace akimap;
@@ -308,13 +308,8 @@ TEST(Contest, La3dmsLongTermScans) {
     std::vector<std::vector<Ray>> scans;
     for (int i = 1; i <= 60; i++) {
         const std::string file = folder + "/sim_structured_long_term_" + std::to_string(i) + ".pcd";
-        SkippedScans skipped;
-        const auto take = [&](Scan& scan) {
-            for (Ray& ray : scan.rays) ray.origin[2] += 0.3;
-            scans.push_back(scan.rays);
-            return true;
-        };
-        openSource(file, {})->forEachScan(take, skipped);
+        scans.push_back(readPcd(file));
+        for (Ray& ray : scans.back()) ray.origin[2] += 0.3;
     }
     const auto result = holdContest(recordingOf(scans), {octomapEntrant(0.05), tsdfEntrant(0.05)},
                                     rulesFor(AkiMap(0.05)));

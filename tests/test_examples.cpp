@@ -110,6 +110,10 @@ TEST(Examples, PointToPlaneFindsThePosesOfScansThatTheMapHasNotSeen) {
     const auto no_log = runCommand(example("align_point_to_plane") + "/nonexistent.rawlog");
     EXPECT_EQ(no_log.exit, 1);
     EXPECT_TRUE(contains(no_log.err, "/nonexistent.rawlog")) << no_log.err;
+    const auto no_poses =
+        runCommand(example("align_point_to_plane") + kDatasets + "test_velodyne_VLP16.rawlog");
+    EXPECT_EQ(no_poses.exit, 1);
+    EXPECT_TRUE(contains(no_poses.err, "no robot poses in it; akimap convert")) << no_poses.err;
 }
 
 TEST(Examples, AWindowShowsAMapAndClosesByItself) {

@@ -16,7 +16,7 @@
 #include <map>
 #include <sstream>
 
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 #include "output/export_map.h"
 #include "random_scans.h"
 #include "run_program.h"

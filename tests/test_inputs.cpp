@@ -14,9 +14,9 @@
 #include <limits>
 
 #include "input/ObjectReader.h"
-#include "input/PcdReader.h"
-#include "input/RobotPath.h"
-#include "input/lzf.h"
+#include "input/clouds/PcdReader.h"
+#include "input/clouds/lzf.h"
+#include "input/poses/RobotPath.h"
 #include "mapping/build_report.h"
 #include "run_program.h"
 

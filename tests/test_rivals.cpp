@@ -12,7 +12,7 @@
 #include "estimators/kernels/kernel_function.h"
 #include "evaluation/evaluate.h"
 #include "grid/BlockGrid.h"
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 #include "rivals/BgkLOctoMap.h"
 #include "rivals/BgkOctoMap.h"
 #include "rivals/GmmMap.h"

@@ -19,7 +19,7 @@ inline const CLI::Validator kWholeNumber{
 
 /** A program of subcommands, each added by a function of commands.h: parses, runs, and prints what
  * goes wrong on one line.
- * \return the exit status: 0, 1 if a command failed, 2 if the command line was wrong */
+ * \return the exit status: 0, kFailed, kUsage or kInterrupted */
 int runCommands(int argc, char** argv, const std::vector<void (*)(CLI::App&)>& commands);
 
 }  // namespace akimap::app

@@ -38,6 +38,6 @@ int main(int argc, char** argv) {
     if (argc > 1 && (!std::strcmp(argv[1], "slam") || !std::strcmp(argv[1], "localize")))
         return runSlamProgram(argv);
     return runCommands(argc, argv,
-                       {addBuild, addSimulate, addExport, addInfo, addQuery, addEval, addHoldout,
-                        addSlamNames, addDefaultConfig});
+                       {addBuild, addCheck, addConvert, addSimulate, addExport, addInfo, addQuery,
+                        addEval, addHoldout, addSlamNames, addDefaultConfig});
 }

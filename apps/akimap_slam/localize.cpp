@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "help.h"
 #include "input/files.h"
 #include "run_app.h"
 #include "slam_commands.h"
@@ -82,6 +83,7 @@ void addLocalize(CLI::App& app) {
     addInputs(*command, *request, "INI of pf-localization");
     addOutputs(*command, *request);
     command->footer(kFooter);
+    addExamples(*command, "localize pf.ini drive.rawlog", "localize pf.ini drive.rawlog --verbose");
     command->callback([request] { localize(*request); });
 }
 

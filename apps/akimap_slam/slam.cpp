@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "help.h"
 #include "run_app.h"
 #include "slam_commands.h"
 
@@ -79,6 +80,8 @@ void addSlam(CLI::App& app) {
         ->default_str("");
     addOutputs(*command, *request);
     command->footer(kFooter);
+    addExamples(*command, "slam icp-slam.ini drive.rawlog",
+                "slam rbpf-slam.ini drive.rawlog --method rbpf");
     command->callback([request] { slam(*request); });
 }
 

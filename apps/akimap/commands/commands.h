@@ -10,6 +10,8 @@ namespace akimap::app {
 // std::exception with a message that names the file and the thing. main() prints that on one
 // line and exits with 1.
 void addBuild(CLI::App& app);
+void addConvert(CLI::App& app);
+void addCheck(CLI::App& app);
 void addSimulate(CLI::App& app);
 void addExport(CLI::App& app);
 void addInfo(CLI::App& app);

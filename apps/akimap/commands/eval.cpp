@@ -8,6 +8,8 @@
 #include "commands/commands.h"
 #include "evaluation/octomap_file.h"
 #include "evaluation/report.h"
+#include "help.h"
+#include "input/ProgressBar.h"
 #include "output/outputs.h"
 #include "support/AtomicFile.h"
 
@@ -31,6 +33,7 @@ void checkRequest(const EvalRequest& request) {
 
 ScoredCells cellsOf(const std::string& file, const EvalRequest& request, const Truth& truth,
                     const Box& box) {
+    const StageLine stage("evaluating " + file);
     const auto collected = [&](const auto& map, double resolution) {
         try {
             return collect(lookupIn(map), resolution, truth, box);
@@ -52,7 +55,7 @@ void writeJson(const std::vector<Judgement>& maps, const std::string& name) {
                toJson(maps).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-void run(const EvalRequest& request) {
+void evaluate(const EvalRequest& request) {
     const Box box = request.box.empty() ? Box{} : parseBox(request.box);
     checkRequest(request);
     const Truth truth = readTruth(request.truth);
@@ -63,6 +66,12 @@ void run(const EvalRequest& request) {
     if (!request.calibration.empty()) writeFigure(calibrationFigure(maps), request.calibration);
     if (!request.json.empty()) writeJson(maps, request.json);
     printTable(maps, std::cout);
+}
+
+void run(const EvalRequest& request) {
+    std::vector<std::string> others = request.compared;
+    others.insert(others.end(), {request.map, request.truth, request.roc, request.calibration});
+    withErrorsInJson(request.json, others, [&] { evaluate(request); });
 }
 
 constexpr const char* kFooter =
@@ -114,6 +123,8 @@ void addEval(CLI::App& app) {
     command->add_option("--json", request->json,
                         "Write all figures, the points of the ROC curves and the bins of the "
                         "reliability diagram to this file too");
+    addExamples(*command, "eval drive.akimap --truth truth.bt",
+                "eval drive.akimap --truth truth.bt --compare other.ot --roc roc.png");
     command->callback([request] { run(*request); });
 }
 

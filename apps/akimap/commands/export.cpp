@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "commands/commands.h"
+#include "help.h"
+#include "input/ProgressBar.h"
 #include "output/export_map.h"
 
 namespace akimap::app {
@@ -26,6 +28,7 @@ void run(const ExportRequest& request) {
     if (request.options.unknown && !drawsUnknown(request.output))
         std::cerr << "akimap: --unknown changes nothing in '" << request.output
                   << "': only .png and .3Dscene draw cells without evidence\n";
+    const StageLine stage("exporting " + request.output);
     exportMap(*AkiMap::loadFromFile(request.map), request.output, request.options);
 }
 
@@ -46,6 +49,8 @@ void addExport(CLI::App& app) {
     command->add_option(
         "--slice", request->options.slice,
         "[m] Height of the slice in a .png [default: above the floor, where most is known]");
+    addExamples(*command, "export drive.akimap drive.ply",
+                "export drive.akimap drive.png --slice 1.2 --unknown");
     command->callback([request] { run(*request); });
 }
 

@@ -10,6 +10,7 @@
 #include "evaluation/contest/contest_report.h"
 #include "evaluation/contest/depth_picture.h"
 #include "evaluation/report.h"
+#include "help.h"
 #include "input/scan_feed.h"
 #include "mapping/map_options.h"
 #include "output/outputs.h"
@@ -79,8 +80,13 @@ void check(const HoldoutRequest& request) {
         throw std::runtime_error("--depth-scan " + std::to_string(request.depth_scan) +
                                  ": with --every " + std::to_string(request.every) +
                                  " this scan is not held out");
-    std::vector<std::string> read = request.input.inputs;
-    read.insert(read.end(), {request.map.config, request.input.trajectory});
+    if (request.quiet && request.json.empty() && request.roc.empty() &&
+        request.calibration.empty() && request.depth_picture.empty())
+        throw std::runtime_error(
+            "--quiet without an output leaves nothing to do: --json, --roc, "
+            "--calibration or --depth-picture FILE");
+    std::vector<std::string> read = filesRead(request.input);
+    read.push_back(request.map.config);
     checkOutputs({request.json, request.roc, request.calibration, request.depth_picture}, read);
     for (const std::string& plot : {request.roc, request.calibration})
         if (!plot.empty()) checkPlottable(plot);
@@ -98,7 +104,7 @@ void plotCurves(const ContestResult& result, const HoldoutRequest& request) {
     if (!request.calibration.empty()) writeFigure(calibrationFigure(maps), request.calibration);
 }
 
-void run(const HoldoutRequest& request) {
+void hold(const HoldoutRequest& request) {
     const AkiMap configured = makeMapFor(request.map);
     check(request);
     ScanFeed feed(request.input);
@@ -113,6 +119,13 @@ void run(const HoldoutRequest& request) {
     if (!request.quiet) printTable(result, std::cout);
     plotCurves(result, request);
     if (!request.depth_picture.empty()) writeDepthPicture(result, request.depth_picture);
+}
+
+void run(const HoldoutRequest& request) {
+    std::vector<std::string> others = filesRead(request.input);
+    others.insert(others.end(),
+                  {request.map.config, request.roc, request.calibration, request.depth_picture});
+    withErrorsInJson(request.json, others, [&] { hold(request); });
 }
 
 void addOutputOptions(CLI::App& command, HoldoutRequest& request) {
@@ -154,6 +167,8 @@ void addHoldout(CLI::App& app) {
         ->group(kInputGroup);
     addMapOptions(*command, request->map);
     addOutputOptions(*command, *request);
+    addExamples(*command, "holdout drive.rawlog --poses poses.tum --every 5",
+                "holdout scans/ --poses poses.txt --depth-picture next.png --json next.json");
     command->callback([request] { run(*request); });
 }
 

@@ -10,6 +10,7 @@
 #include "commands/commands.h"
 #include "estimators/options.h"
 #include "grid/BlockGrid.h"
+#include "help.h"
 #include "mapping/config.h"
 #include "pictures/MapCells.h"
 
@@ -125,6 +126,7 @@ void addInfo(CLI::App& app) {
     const auto request = std::make_shared<InfoRequest>();
     command->add_option("MAP", request->map, "The map (.akimap)")->required();
     command->add_flag("--json", request->json, "Print it as JSON");
+    addExamples(*command, "info drive.akimap", "info drive.akimap --json > drive.json");
     command->callback([request] {
         const auto map = AkiMap::loadFromFile(request->map);
         (request->json ? printJson : printText)(*map, contentsOf(*map));

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "commands/commands.h"
+#include "help.h"
 
 namespace akimap::app {
 
@@ -62,6 +63,7 @@ void addQuery(CLI::App& app) {
         command->add_option(names[i], request->point[i], "[m] in the map's frame")
             ->default_str("")
             ->required();
+    addExamples(*command, "query drive.akimap 1.0 2.0 0.5", "query drive.akimap -1.0 2.0 0.5");
     command->callback([request] { run(*request); });
 }
 

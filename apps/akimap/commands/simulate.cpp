@@ -13,6 +13,7 @@
 
 #include "cli.h"
 #include "commands/commands.h"
+#include "help.h"
 #include "simulation/files.h"
 #include "simulation/simulate.h"
 #include "simulation/truth.h"
@@ -124,12 +125,16 @@ void run(const SimulateRequest& request) {
 /** The sensors' own values of the errors, for the help. */
 std::string sensorTable() {
     std::string table = "Sensors, and their values of the options of range errors:\n";
+    const auto columnOf = [](const std::string& name) {
+        return std::max(9, static_cast<int>(name.size()) + 1);
+    };
     table += mrpt::format("%-17s", "");
-    for (const auto& [name, kind] : kSensors) table += mrpt::format("%11s", name.c_str());
+    for (const auto& [name, kind] : kSensors)
+        table += mrpt::format("%*s", columnOf(name), name.c_str());
     const auto row = [&](const std::string& name, auto&& valueOf) {
         table += mrpt::format("\n%-17s", name.c_str());
         for (const auto& [sensor, kind] : kSensors)
-            table += mrpt::format("%11.3g", valueOf(sensorModel(kind)));
+            table += mrpt::format("%*.3g", columnOf(sensor), valueOf(sensorModel(kind)));
     };
     for (const ErrorOption& option : kErrorOptions)
         row(option.name, [&](const SensorModel& m) { return m.errors.*option.value; });
@@ -203,6 +208,8 @@ void addSimulate(CLI::App& app) {
     command->add_flag("--with-poses", request->with_poses,
                       "Add robot poses (CObservationRobotPose) to the rawlog");
     addErrorOptions(*command, request);
+    addExamples(*command, "simulate structured -o drive",
+                "simulate furnished --sensor kinect --pose-noise 0.01 -o home");
     command->callback([request] { run(*request); });
 }
 

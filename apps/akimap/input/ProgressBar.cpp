@@ -49,4 +49,13 @@ void ProgressBar::show(std::size_t scans_done) {
     std::cerr << "\r\033[K" << line << std::flush;
 }
 
+StageLine::StageLine(const std::string& text, bool enabled)
+    : enabled_(enabled && isatty(STDERR_FILENO) != 0) {
+    if (enabled_) std::cerr << "\r\033[K" << text << " ..." << std::flush;
+}
+
+StageLine::~StageLine() {
+    if (enabled_) std::cerr << "\r\033[K" << std::flush;
+}
+
 }  // namespace akimap::app

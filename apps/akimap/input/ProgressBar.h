@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <limits>
+#include <string>
 
 namespace akimap::app {
 
@@ -28,6 +29,18 @@ class ProgressBar {
     std::size_t scans_;
     bool enabled_;
     Clock::time_point start_ = Clock::now(), last_shown_;
+};
+
+/** A line on stderr, if that is a terminal, that says what takes its time just now. */
+class StageLine {
+ public:
+    explicit StageLine(const std::string& text, bool enabled = true);
+    ~StageLine();  ///< wipes the line
+    StageLine(const StageLine&) = delete;
+    StageLine& operator=(const StageLine&) = delete;
+
+ private:
+    bool enabled_;
 };
 
 }  // namespace akimap::app

@@ -74,7 +74,7 @@ void RawlogSource::choosePoses(Survey& survey, const InputOptions& options) {
         trajectory_ = nullptr;
     else if (!survey.odometry.empty())
         trajectory_ = make(survey.odometry);
-    else if (!survey.scan_times.empty())
+    else if (survey.scan_times.size() > 1)
         options.warn(fixedPoseWarning(file()));
 }
 

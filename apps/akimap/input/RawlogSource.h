@@ -16,8 +16,9 @@ class RawlogSource : public ScanSource {
     RawlogSource(const std::string& file, const InputOptions& options);
 
     [[nodiscard]] std::size_t scanCount() const override { return scan_count_; }
-    /** Scans at whose time there is no robot pose. */
-    [[nodiscard]] std::size_t uncoveredCount() const { return uncovered_count_; }
+    [[nodiscard]] std::optional<std::size_t> uncoveredCount() const override {
+        return uncovered_count_;
+    }
     [[nodiscard]] std::set<std::string> labels() const override { return labels_; }
     void forEachScan(const TakeScan& take, SkippedScans& skipped) override;
 

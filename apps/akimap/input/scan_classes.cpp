@@ -42,8 +42,8 @@ bool isWantedScan(const mrpt::obs::CObservation& observation, const std::string&
 
 std::string fixedPoseWarning(const std::string& log_file) {
     return log_file +
-           ": no robot poses and no odometry in it, and no --trajectory: "
-           "all its scans are taken from one fixed pose";
+           ": no robot poses and no odometry in it, and no --poses: all its scans are taken from "
+           "one fixed pose; if the sensor moved, --poses FILE (TUM) tells where it was";
 }
 
 }  // namespace akimap::app

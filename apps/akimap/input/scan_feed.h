@@ -4,7 +4,6 @@
 
 #include <akimap/AkiMap.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -13,32 +12,10 @@
 #include <vector>
 
 #include "StopSignal.h"
+#include "input/InputRequest.h"
 #include "input/ScanSource.h"
 
 namespace akimap::app {
-
-/** The scans that a command line asks for. */
-struct InputRequest {
-    std::vector<std::string> inputs;
-    std::string trajectory;  ///< a TUM file for the rawlogs; empty: their own poses
-    double max_gap = 0.5;    ///< [s] largest gap bridged between robot poses
-    std::string only_label;  ///< empty: all sensors
-    uint64_t first = 0;      ///< scans to take; 0: all
-    bool partial = false;    ///< take what is whole of a cut rawlog
-    bool follow = false;     ///< the last input is a rawlog that is still being written
-    double idle = 10;        ///< [s] it is at its end when it has not grown for so long
-};
-
-inline constexpr const char* kInputGroup = "Input";
-
-/** Adds INPUT... and the options that say which scans are taken and where they were. */
-void addInputOptions(CLI::App& command, InputRequest& request);
-
-/** Adds --follow and --idle. \return --follow */
-CLI::Option* addFollowOptions(CLI::App& command, InputRequest& request);
-
-/** \exception std::runtime_error naming the option whose value can't be */
-void checkInputOptions(const InputRequest& request);
 
 /** The scans of all inputs, one after the other. Warnings go to stderr. */
 class ScanFeed {
@@ -49,20 +26,33 @@ class ScanFeed {
 
     /** Gets a scan and its number, counted from 0 over all inputs. */
     using TakeScan = std::function<void(Scan&, uint64_t)>;
-    /** Gives the scans, with a progress bar if wanted.
+    /** Gives the scans, with a progress bar if wanted; no more once a StopSignal is requested.
      * \exception std::runtime_error naming the file, for what `take` throws too */
     void forEachScan(const TakeScan& take, bool show_progress);
 
     [[nodiscard]] const SkippedScans& skipped() const { return skipped_; }
+    [[nodiscard]] const std::vector<std::unique_ptr<ScanSource>>& sources() const {
+        return sources_;
+    }
     /** Why --only has left nothing; empty if it has not. */
     [[nodiscard]] std::string wrongLabelHint() const;
+    /** All scans, more than one, had the same pose, and no warning has told of poses before. */
+    [[nodiscard]] bool isFixed() const { return scans_ > 1 && is_fixed_ && !has_warned_; }
 
  private:
+    void notePose(const Scan& scan);
+
     InputRequest request_;
     std::optional<StopSignal> stop_;
     std::vector<std::unique_ptr<ScanSource>> sources_;
     SkippedScans skipped_;
+    uint64_t scans_ = 0;
+    mrpt::poses::CPose3D first_pose_;
+    bool is_fixed_ = true, has_warned_ = false;
 };
+
+/** Prints a warning of one line on stderr. */
+void warn(const std::string& line);
 
 /** Inserts a scan as `akimap build` does. \return whether the map changed */
 bool insertScan(AkiMap& map, const Scan& scan);

@@ -13,6 +13,7 @@
 #include "input/numbers.h"
 #include "mapping/option_groups.h"
 #include "support/ini.h"
+#include "support/similar.h"
 
 namespace akimap::app {
 
@@ -81,13 +82,23 @@ class ConfigReader {
     void checkSections(const std::vector<OptionGroup>& groups) const {
         for (const std::string& name : sections_)
             if (lowerCase(name).find("akimap") != std::string::npos && !isKnown(name, groups))
-                refuse("unknown section [" + name + "]; those of the map begin with [" +
-                       sectionPrefix(section_) + "_");
+                refuse("unknown section [" + name + "]" + meantSection(name, groups));
         for (const OptionGroup& group : groups)
             if (group.suffixes.size() > 1 && ini_.sectionExists(fullName(group, 0)) &&
                 ini_.sectionExists(fullName(group, 1)))
                 refuse("both [" + fullName(group, 0) + "] and [" + fullName(group, 1) +
                        "]; they mean the same");
+    }
+
+    std::string meantSection(const std::string& name,
+                             const std::vector<OptionGroup>& groups) const {
+        std::vector<std::string> names;
+        for (const OptionGroup& group : groups)
+            for (std::size_t i = 0; i < group.suffixes.size(); i++)
+                names.push_back(fullName(group, i));
+        const std::string meant = similarTo(name, names);
+        if (!meant.empty()) return "; did you mean [" + meant + "]?";
+        return "; those of the map begin with [" + sectionPrefix(section_) + "_";
     }
 
     std::string fullName(const OptionGroup& group, std::size_t i) const {
@@ -100,7 +111,7 @@ class ConfigReader {
         for (const std::string& key : keys)
             if (lowerCase(key).find("akimap") != std::string::npos &&
                 lowerCase(key) != "akimap_count")
-                refuse("[" + section_ + "] unknown key " + key);
+                refuse("[" + section_ + "] unknown key " + key + didYouMean(key, {"akimap_count"}));
         if (!ini_.keyExists(section_, "akimap_count"))
             refuse("no akimap section: [" + section_ + "] has no akimap_count = 1");
         const std::string count = iniValue(ini_, section_, "akimap_count");
@@ -118,9 +129,15 @@ class ConfigReader {
                     return lowerCase(option.key) == lowerCase(key);
                 };
                 if (std::none_of(group.options.begin(), group.options.end(), is_it))
-                    refuse("[" + name + "] unknown key " + key);
+                    refuse("[" + name + "] unknown key " + key + meantKey(key, group));
             }
         }
+    }
+
+    static std::string meantKey(const std::string& key, const OptionGroup& group) {
+        std::vector<std::string> keys;
+        for (const OptionText& option : group.options) keys.push_back(option.key);
+        return didYouMean(key, keys);
     }
 
     /** MRPT reads these itself, takes any text for a number, and "true ; why" for false. */

@@ -3,7 +3,7 @@
 #include "mapping/build_map.h"
 
 #include <mrpt/core/Clock.h>
-#include <mrpt/system/datetime.h>
+#include <mrpt/core/format.h>
 
 #include <chrono>
 #include <cmath>
@@ -11,6 +11,9 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "checking/ScanSurvey.h"
+#include "errors.h"
+#include "input/ProgressBar.h"
 #include "mapping/build_report.h"
 #include "output/export_map.h"
 #include "output/outputs.h"
@@ -26,9 +29,9 @@ void checkRequest(const BuildRequest& request) {
     if (std::filesystem::path(request.output).extension() != ".akimap")
         throw std::runtime_error(
             request.output + ": the map's name must end with .akimap (other formats: --export)");
-    std::vector<std::string> outputs = request.exports, read = request.input.inputs;
+    std::vector<std::string> outputs = request.exports, read = filesRead(request.input);
     outputs.insert(outputs.end(), {request.output, request.json});
-    read.insert(read.end(), {request.map.config, request.input.trajectory});
+    read.push_back(request.map.config);
     checkOutputs(outputs, read);
     for (const std::string& file : request.exports) checkExportable(file);
 }
@@ -36,15 +39,20 @@ void checkRequest(const BuildRequest& request) {
 /** When the scan comes [s]. */
 double stampOf(const Scan& scan, uint64_t number, double rate) {
     if (rate > 0) return static_cast<double>(number) / rate;
-    if (!scan.observation || scan.observation->timestamp == INVALID_TIMESTAMP)
+    const auto time = timeOf(scan);
+    if (!time)
         throw std::runtime_error("a scan without a time stamp; --realtime needs --rate for it");
-    return mrpt::Clock::toDouble(scan.observation->timestamp);
+    return mrpt::Clock::toDouble(*time);
 }
 
 /** Inserts the scans, and counts. */
-void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, BuildReport& report) {
+void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, BuildReport& report,
+                 ScanSurvey& survey) {
     if (request.realtime) report.realtime.emplace();
+    const bool is_checked = !request.input.poses.empty() && !request.realtime;
+    constexpr uint64_t kChecked = 100;  // scans: poses that are wrong are so from the start
     const auto take = [&](const Scan& scan, uint64_t number) {
+        if (is_checked && number < kChecked) survey.add(scan, raysOf(scan, false));
         if (report.realtime && !report.realtime->offer(stampOf(scan, number, request.rate))) return;
         using Clock = std::chrono::steady_clock;
         const auto start = Clock::now();
@@ -53,7 +61,10 @@ void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, Build
         report.update_seconds.push_back(seconds);
         if (report.realtime) report.realtime->used(seconds);
     };
+    std::optional<StopSignal> stop;
+    if (!request.input.follow && request.on_interrupt == "save") stop.emplace();
     feed.forEachScan(take, !request.quiet);
+    report.interrupted = stop && StopSignal::requested();
     report.insertion = map.stats();
     report.skipped = feed.skipped();
 }
@@ -69,23 +80,72 @@ void insertScans(AkiMap& map, ScanFeed& feed, const BuildRequest& request, Build
                              (hint.empty() ? "" : "; " + hint));
 }
 
+/** Tells, with the remedy, of what makes maps wrong or poor although nothing failed. */
+void warnOfPoorMap(const AkiMap& map, const ScanFeed& feed, const ScanSurvey& survey) {
+    constexpr std::size_t kEnough = 1000;  // cells that scans have in common
+    if (survey.compared() > kEnough)
+        for (const std::string& line : survey.mismatches())
+            warn(line + " (akimap check tells more)");
+    if (feed.isFixed())
+        warn(
+            "all scans were taken from one and the same pose; if the sensor moved, --poses FILE "
+            "tells where it was");
+    const akimap::InsertionStats s = map.stats();
+    const double dropped = static_cast<double>(s.dropped_range) / static_cast<double>(s.rays);
+    const double max_range = map.insertionOptions.max_range;
+    if (dropped > 0.3 && max_range == akimap::InsertionParameters().max_range)
+        warn(
+            mrpt::format("%.0f %% of the returns are out of range, most beyond --max-range %g m, "
+                         "the default; --max-range 30 or more suits lidars, with larger cells "
+                         "(--resolution 0.1)",
+                         100 * dropped, max_range));
+}
+
+/** The map first: what the exports refuse must not cost it. */
+void saveAndExport(const AkiMap& map, const BuildRequest& request) {
+    {
+        const StageLine stage("writing " + request.output, !request.quiet);
+        map.saveToFile(request.output);
+    }
+    for (const std::string& target : request.exports) {
+        const StageLine stage("exporting " + target, !request.quiet);
+        exportMap(map, target);
+    }
+}
+
+void build(const BuildRequest& request, AkiMap& map, BuildReport& report) {
+    ScanFeed feed(request.input);
+    ScanSurvey survey(1000);
+    insertScans(map, feed, request, report, survey);
+    if (map.isEmpty()) {
+        if (report.interrupted)
+            throw Interrupted("interrupted before the first scan was in the map; nothing written");
+        refuseNothing(report, feed);
+    }
+    warnOfPoorMap(map, feed, survey);
+    report.cells = map.cellCount();
+    report.map_bytes = map.memoryBytes();
+    saveAndExport(map, request);
+    report.peak_rss_bytes = peakMemoryBytes();
+    if (!request.json.empty()) writeJson(report, request.json);
+    if (!request.quiet) printTable(report, std::cout);
+    if (report.interrupted)
+        throw Interrupted("interrupted: " + request.output + " holds the first " +
+                          std::to_string(report.insertion.scans) + " scans");
+}
+
 }  // namespace
 
 void buildMap(const BuildRequest& request) {
     AkiMap map = makeMapFor(request.map);
-    checkRequest(request);
-    ScanFeed feed(request.input);
     BuildReport report;
-    insertScans(map, feed, request, report);
-    if (map.isEmpty()) refuseNothing(report, feed);
-
-    report.cells = map.cellCount();
-    report.map_bytes = map.memoryBytes();
-    for (const std::string& target : request.exports) exportMap(map, target);
-    map.saveToFile(request.output);  // last: what the exports refuse leaves an older map as it was
-    report.peak_rss_bytes = peakMemoryBytes();
-    if (!request.json.empty()) writeJson(report, request.json);
-    if (!request.quiet) printTable(report, std::cout);
+    std::vector<std::string> others = filesRead(request.input);
+    others.insert(others.end(), request.exports.begin(), request.exports.end());
+    others.insert(others.end(), {request.output, request.map.config});
+    withErrorsInJson(request.json, others, [&] {
+        checkRequest(request);
+        build(request, map, report);
+    });
 }
 
 }  // namespace akimap::app

@@ -45,6 +45,8 @@ std::vector<SkipCount> skipCounts(const BuildReport& report) {
         {"skipped_points_range", "points out of range", s.dropped_range},
         {"skipped_points_grid", "points beyond the grid", s.dropped_grid},
         {"skipped_packets_trajectory", "packets outside the trajectory", s.dropped_poses},
+        {"skipped_points_trajectory", "points outside the trajectory",
+         report.skipped.points_outside_trajectory},
         {"skipped_scans_empty", "scans without a usable point", report.empty_scans},
         {"skipped_scans_trajectory", "scans outside the trajectory",
          report.skipped.outside_trajectory},
@@ -104,6 +106,7 @@ void writeJson(const BuildReport& report, const std::string& file) {
         json["scans_lost"] = report.realtime->lost();
         json["scans_lost_out_of_order"] = report.realtime->lostOutOfOrder();
     }
+    if (report.interrupted) json["interrupted"] = true;
     uint64_t unusable = 0;
     for (const auto& [name, count] : report.skipped.unusable) unusable += count;
     json["skipped_observations"] = unusable;

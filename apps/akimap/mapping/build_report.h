@@ -24,6 +24,7 @@ struct BuildReport {
     uint64_t map_bytes = 0;                ///< the map's own memory: blocks, index, slack
     std::vector<double> update_seconds;    ///< wall time of each insertion, reading left out
     std::optional<RealtimeGate> realtime;  ///< what was lost; empty: every scan was inserted
+    bool interrupted = false;              ///< by ^C: the later scans are missing
     uint64_t peak_rss_bytes = 0;           ///< of the whole process
 };
 

@@ -3,8 +3,11 @@
 #include "output/outputs.h"
 
 #include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "errors.h"
 #include "support/AtomicFile.h"
 
 namespace fs = std::filesystem;
@@ -35,6 +38,32 @@ void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std
         }
         AtomicFile::checkWritable(output);
         taken.push_back(output);
+    }
+}
+
+void withErrorsInJson(const std::string& json, const std::vector<std::string>& others,
+                      const std::function<void()>& work) {
+    const auto note = [&](const std::string& reason) {
+        if (json.empty()) return;
+        try {
+            checkOutputs({json}, others);
+            const nlohmann::json error{{"error", reason}};
+            // A file's name in it need not be UTF-8.
+            writeWhole(json,
+                       error.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+        } catch (const std::exception&) {  // the first failure is the one to tell of
+        }
+    };
+    try {
+        work();
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        note("out of memory");
+        throw;
+    } catch (const std::exception& e) {
+        note(reasonOf(e.what()));
+        throw;
     }
 }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,5 +12,10 @@ namespace akimap::app {
  * Empty names stand for files not asked for.
  * \exception std::runtime_error naming the output */
 void checkOutputs(const std::vector<std::string>& outputs, const std::vector<std::string>& read);
+
+/** Does the work; of what it throws, the reason goes to the JSON file too, as "error", for scripts.
+ * \param json empty: none. \param others the inputs and other outputs, which it must not replace */
+void withErrorsInJson(const std::string& json, const std::vector<std::string>& others,
+                      const std::function<void()>& work);
 
 }  // namespace akimap::app

@@ -3,6 +3,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include <cerrno>
+#include <cstring>
+
 #include "output/formats.h"
 #include "pictures/picture.h"
 
@@ -13,8 +16,10 @@ void writePng(const AkiMap& map, const std::string& path, const ExportOptions& o
     const MapView view = viewOf(map, options.threshold);
     std::optional<Viewpoint> viewpoint;
     if (view.cells.occupied.size() > 0) viewpoint = chooseViewpoint(view, options);
-    if (!draw(view, viewpoint, options).saveToFile(path))
-        throw std::runtime_error("the picture could not be written");
+    const auto picture = draw(view, viewpoint, options);
+    errno = 0;
+    if (!picture.saveToFile(path))
+        throw std::runtime_error(errno ? std::strerror(errno) : "the picture could not be written");
 }
 
 }  // namespace akimap::app

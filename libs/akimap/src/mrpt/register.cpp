@@ -13,6 +13,7 @@
 
 #include "mrpt/mrpt_compat.h"
 #include "mrpt/option_fields.h"
+#include "support/similar.h"
 
 MAP_DEFINITION_REGISTER("akimap::AkiMap,akimap", akimap::AkiMap)
 IMPLEMENTS_SERIALIZABLE(AkiMap, mrpt::maps::CMetricMap, akimap)
@@ -31,7 +32,31 @@ void warnOfUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::s
             return mrpt::system::strCmpI(name, key);
         };
         if (std::none_of(known.begin(), known.end(), is_it))
-            std::cerr << "akimap: warning: [" << section << "] unknown key " << key << "\n";
+            std::cerr << "akimap: warning: [" << section << "] unknown key " << key
+                      << didYouMean(key, known) << "\n";
+    }
+}
+
+/** Nor of a section that is no map's. Only of names almost like ours: others may be those of
+ * another program or of another of several maps. */
+void warnOfMistypedSections(const mrpt::config::CConfigFileBase& source,
+                            const std::string& prefix) {
+    const auto mapNumber = [](const std::string& name) {  // "_00_" of "map_akimap_00_insertOpts"
+        const auto end = name.rfind('_');
+        return end == std::string::npos || end < 3 ? name : name.substr(end - 3, 4);
+    };
+    std::vector<std::string> ours, names;
+    for (const char* suffix : {"_creationOpts", "_insertOpts", "_insertionOpts", "_likelihoodOpts",
+                               "_renderOpts", "_renderingOpts"})
+        ours.push_back(prefix + suffix);
+    source.getAllSections(names);
+    for (const std::string& name : names) {
+        const std::string meant = similarTo(name, ours);
+        if (meant.empty() || mrpt::system::strCmpI(meant, name) ||
+            mapNumber(meant) != mapNumber(name))
+            continue;
+        std::cerr << "akimap: warning: unknown section [" << name << "]; did you mean [" << meant
+                  << "]?\n";
     }
 }
 
@@ -64,6 +89,7 @@ AkiMap::TMapDefinition::TMapDefinition() = default;
 
 void AkiMap::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& prefix) {
+    warnOfMistypedSections(source, prefix);
     warnOfUnknownKeys(source, prefix + "_creationOpts",
                       {"resolution", "enableSaveAs3DObject", "enableObservationInsertion",
                        "enableObservationLikelihood"});

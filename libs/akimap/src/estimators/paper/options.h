@@ -36,14 +36,16 @@ void visitPaperFields(Parameters& o, Visitor&& visit) {
           "paper: sample (divided by M - 2) | mean (by M - 1): what the covariance is about");
     visit("covariance_floor", o.covariance_floor,
           "[m^2] >= 0. paper: added to the covariance's diagonal; 0: 0.4 of a cell's face");
-    visit("bandwidth", o.bandwidth, "paper: adaptive (as printed) | covariance (no Eq. 7) | isotropic");
+    visit("bandwidth", o.bandwidth,
+          "paper: adaptive (as printed) | covariance (not scaled by Eq. 7) | isotropic");
     visit("isotropic_length", o.isotropic_length,
           "[m] > 0. paper: support radius of the kernels if bandwidth = isotropic");
     visit("scale_search", o.scale_search,
-          "paper: exact | descent (the authors' code): minimiser of Eq. 7");
+          "paper: exact | descent (the authors' code): how the kernels' scale, Eq. 7, is found");
     visit("scale_min_length", o.scale_min_length,
-          "[m] >= 0. paper: Eq. 7 leaves the longest semi-axis at least this; 0: one cell");
-    visit("scale_max", o.scale_max, "[-] > 0. paper: upper bound of the length scale of Eq. 7");
+          "[m] >= 0. paper: the scale of Eq. 7 leaves the longest semi-axis at least this; 0: one "
+          "cell");
+    visit("scale_max", o.scale_max, "[-] > 0. paper: upper bound of the kernels' scale, Eq. 7");
     visit("seed", o.seed, "paper: seed of the free samples' random places");
 }
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "input/poses/pose_file.h"
+
 namespace akimap::app {
 
 /** The robot's pose in the map over time: linear between samples, its rotation by slerp. */
@@ -31,12 +33,14 @@ class RobotPath {
 
     [[nodiscard]] static Sample sampleOf(mrpt::Clock::time_point time,
                                          const mrpt::poses::CPose3D& pose);
+    [[nodiscard]] static mrpt::poses::CPose3D poseOf(const Sample& sample);
     /** max_gap as at() takes it: a microsecond longer, so that samples written every max_gap
      * seconds count as near enough. */
     [[nodiscard]] static mrpt::Clock::duration toDuration(double max_gap);
 
-    /** Reads the TUM format: lines of `time x y z qx qy qz qw`, seconds and metres; blank lines
-     * and lines that start with '#' are skipped.
+    /** \exception std::runtime_error naming the file if its poses have no times */
+    [[nodiscard]] static RobotPath of(const PoseList& list, double max_gap);
+    /** Of a TUM file, as readPoses() reads it.
      * \exception std::runtime_error naming the file and the line */
     static RobotPath loadTum(const std::string& file, double max_gap);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "input/PcdReader.h"
+#include "input/clouds/PcdReader.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,9 +9,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "input/PcdHeader.h"
+#include "input/clouds/PcdHeader.h"
+#include "input/clouds/lzf.h"
 #include "input/files.h"
-#include "input/lzf.h"
 #include "input/numbers.h"
 
 namespace akimap::app {
@@ -51,21 +51,9 @@ OpenPcd openPcd(const std::string& file) {
     return pcd;
 }
 
-double readFloat(const uint8_t* bytes, std::size_t size) {
-    if (size == 8) {
-        double value = 0;
-        std::memcpy(&value, bytes, 8);
-        return value;
-    }
-    float value = 0;
-    std::memcpy(&value, bytes, 4);
-    return value;
-}
-
-std::vector<Ray> readAscii(OpenPcd& pcd) {
+void fillAscii(OpenPcd& pcd, CloudFiller& filler) {
     const PcdHeader& h = pcd.header;
-    std::vector<Ray> rays;
-    rays.reserve(h.points);
+    const auto& points = filler.cloud().points;
     std::vector<std::string_view> words;
     std::string line;
     for (std::size_t number = h.lines + 1; std::getline(pcd.in, line); number++) {
@@ -74,48 +62,42 @@ std::vector<Ray> readAscii(OpenPcd& pcd) {
         };
         splitWords(line, words);
         if (words.empty()) continue;
-        if (rays.size() == h.points)
+        if (points.size() == h.points)
             refuse("more than the " + std::to_string(h.points) + " points of the header");
         if (words.size() != h.columns)
             refuse("expected " + std::to_string(h.columns) + " numbers and found " +
                    std::to_string(words.size()));
-        Ray ray{h.origin, {}};
-        for (std::size_t axis = 0; axis < 3; axis++) {
-            const auto word = words[h.fields[h.xyz[axis]].column];
-            if (!parseNumber(word, ray.end[axis]))
-                refuse("'" + std::string(word) + "' is not a number");
-        }
-        rays.push_back(ray);
+        filler.add([&](const PointField& field) {
+            double value = 0;
+            const auto word = words[field.column];
+            if (!parseNumber(word, value)) refuse("'" + std::string(word) + "' is not a number");
+            return value;
+        });
     }
-    if (rays.size() != h.points)
+    if (points.size() != h.points)
         throw std::runtime_error("the data end at byte " + std::to_string(pcd.size) + " after " +
-                                 std::to_string(rays.size()) + " of " + std::to_string(h.points) +
+                                 std::to_string(points.size()) + " of " + std::to_string(h.points) +
                                  " points");
-    return rays;
 }
 
-std::vector<Ray> readBinary(OpenPcd& pcd) {
+void fillBinary(OpenPcd& pcd, CloudFiller& filler) {
     const PcdHeader& h = pcd.header;
     // No more than there are: a point may claim a megabyte, and only their sum is in the file.
     const std::size_t points_at_once = std::min<std::size_t>(16384, h.points);
     std::vector<uint8_t> buffer(points_at_once * h.point_size);
-    std::vector<Ray> rays(h.points, Ray{h.origin, {}});
     for (std::size_t first = 0; first < h.points; first += points_at_once) {
         const std::size_t n = std::min(points_at_once, h.points - first);
         pcd.in.read(reinterpret_cast<char*>(buffer.data()),
                     static_cast<std::streamsize>(n * h.point_size));
         if (!pcd.in) refuseShort(pcd, h.points * h.point_size);
-        for (std::size_t axis = 0; axis < 3; axis++) {
-            const auto& field = h.fields[h.xyz[axis]];
-            for (std::size_t i = 0; i < n; i++)
-                rays[first + i].end[axis] =
-                    readFloat(&buffer[i * h.point_size + field.offset], field.size);
-        }
+        for (std::size_t i = 0; i < n; i++)
+            filler.add([&](const PointField& field) {
+                return numberAt(&buffer[i * h.point_size + field.offset], field);
+            });
     }
-    return rays;
 }
 
-std::vector<Ray> readCompressed(OpenPcd& pcd) {
+void fillCompressed(OpenPcd& pcd, CloudFiller& filler) {
     const PcdHeader& h = pcd.header;
     uint32_t packed_size = 0, size = 0;
     pcd.in.read(reinterpret_cast<char*>(&packed_size), 4);
@@ -130,45 +112,57 @@ std::vector<Ray> readCompressed(OpenPcd& pcd) {
     pcd.in.read(reinterpret_cast<char*>(packed.data()), packed_size);
     if (!pcd.in) refuseShort(pcd, std::size_t{packed_size} + 8);
     const std::vector<uint8_t> data = unpackLzf(packed, size);
-
     // Compressed points lie field by field: all x, then all y, ...
-    std::vector<Ray> rays(h.points, Ray{h.origin, {}});
-    for (std::size_t axis = 0; axis < 3; axis++) {
-        const auto& field = h.fields[h.xyz[axis]];
-        for (std::size_t i = 0; i < h.points; i++)
-            rays[i].end[axis] =
-                readFloat(&data[field.offset * h.points + i * field.size], field.size);
+    for (std::size_t i = 0; i < h.points; i++)
+        filler.add([&](const PointField& field) {
+            return numberAt(&data[field.offset * h.points + i * field.size], field);
+        });
+}
+
+/** Calls read(OpenPcd&) with the file's name put before what it throws. */
+template <class Read>
+auto withPcd(const std::string& file, Read&& read) {
+    requireReadable(file);
+    try {
+        OpenPcd pcd = openPcd(file);
+        return read(pcd);
+    } catch (const std::runtime_error& e) {
+        throw std::runtime_error(file + ": " + e.what());
     }
-    return rays;
 }
 
 }  // namespace
 
-std::vector<Ray> readPcd(const std::string& file) {
-    requireReadable(file);
-    try {
-        OpenPcd pcd = openPcd(file);
+Cloud readPcdCloud(const std::string& file) {
+    return withPcd(file, [](OpenPcd& pcd) {
+        CloudFiller filler(pcd.header.fields, pcd.header.points);
         switch (pcd.header.data) {
             case PcdHeader::Data::ascii:
-                return readAscii(pcd);
+                fillAscii(pcd, filler);
+                break;
             case PcdHeader::Data::binary:
-                return readBinary(pcd);
+                fillBinary(pcd, filler);
+                break;
             case PcdHeader::Data::binary_compressed:
-                return readCompressed(pcd);
+                fillCompressed(pcd, filler);
+                break;
         }
-        return {};
-    } catch (const std::runtime_error& e) {
-        throw std::runtime_error(file + ": " + e.what());
-    }
+        filler.cloud().viewpoint = pcd.header.viewpoint;
+        return std::move(filler.cloud());
+    });
 }
 
-void checkPcd(const std::string& file) {
-    requireReadable(file);
-    try {
-        openPcd(file);
-    } catch (const std::runtime_error& e) {
-        throw std::runtime_error(file + ": " + e.what());
-    }
+std::vector<Ray> readPcd(const std::string& file) {
+    const Cloud cloud = readPcdCloud(file);
+    const auto origin = cloud.viewpoint.value_or(PcdViewpoint()).translation;
+    std::vector<Ray> rays;
+    rays.reserve(cloud.points.size());
+    for (const auto& point : cloud.points) rays.push_back({origin, point});
+    return rays;
+}
+
+std::optional<PcdViewpoint> peekPcd(const std::string& file) {
+    return withPcd(file, [](const OpenPcd& pcd) { return pcd.header.viewpoint; });
 }
 
 }  // namespace akimap::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "input/PcdHeader.h"
+#include "input/clouds/PcdHeader.h"
 
 #include <cmath>
 #include <map>
@@ -79,7 +79,7 @@ void readFields(const Entries& entries, PcdHeader& header) {
         if (entry && entry->words.size() != n)
             entry->refuse("expected " + std::to_string(n) + " words, one for each field");
     for (std::size_t i = 0; i < n; i++) {
-        PcdHeader::Field field;
+        PointField field;
         field.name = names.words[i];
         field.size = sizes.number(i, 8);
         if (field.size == 0 || (field.size & (field.size - 1)) != 0)
@@ -99,18 +99,11 @@ void readFields(const Entries& entries, PcdHeader& header) {
         sizes.refuse("a point of " + std::to_string(header.point_size) + " bytes");
 }
 
-void findCoordinates(const Entries& entries, PcdHeader& header) {
-    const std::array<std::string, 3> names{"x", "y", "z"};
-    for (std::size_t axis = 0; axis < 3; axis++) {
-        std::size_t i = 0;
-        while (i < header.fields.size() && header.fields[i].name != names[axis]) i++;
-        if (i == header.fields.size())
-            require(entries, "FIELDS").refuse("no field '" + names[axis] + "'");
-        const auto& field = header.fields[i];
-        if (field.type != 'F' || field.size < 4 || field.count != 1)
-            require(entries, "TYPE")
-                .refuse("field '" + names[axis] + "' must be one F of 4 or 8 bytes");
-        header.xyz[axis] = i;
+void checkCoordinates(const Entries& entries, const PcdHeader& header) {
+    try {
+        (void)rolesOf(header.fields);
+    } catch (const std::runtime_error& e) {
+        require(entries, "FIELDS").refuse(e.what());
     }
 }
 
@@ -134,12 +127,19 @@ void readViewpoint(const Entries& entries, PcdHeader& header) {
     const Entry* viewpoint = find(entries, "VIEWPOINT");
     if (!viewpoint) return;
     if (viewpoint->words.size() != 7) viewpoint->refuse("expected 7 numbers, tx ty tz qw qx qy qz");
+    header.viewpoint.emplace();
+    auto& [translation, rotation] = *header.viewpoint;
     for (std::size_t i = 0; i < 7; i++) {
-        double value = 0;
+        double& value = i < 3 ? translation[i] : rotation[i - 3];
         if (!parseNumber(std::string_view(viewpoint->words[i]), value) || !std::isfinite(value))
             viewpoint->refuse("'" + viewpoint->words[i] + "' is not a finite number");
-        if (i < 3) header.origin[i] = value;
     }
+    const double norm =
+        std::hypot(std::hypot(rotation[0], rotation[1]), std::hypot(rotation[2], rotation[3]));
+    if (std::abs(norm - 1) > 0.05)
+        viewpoint->refuse("qw qx qy qz is not a unit quaternion: its norm is " +
+                          std::to_string(norm));
+    for (double& q : rotation) q /= norm;
 }
 
 void readDataKind(const Entries& entries, PcdHeader& header) {
@@ -161,7 +161,7 @@ PcdHeader readPcdHeader(std::istream& in) {
     PcdHeader header;
     const Entries entries = readEntries(in, header.lines);
     readFields(entries, header);
-    findCoordinates(entries, header);
+    checkCoordinates(entries, header);
     readPointCount(entries, header);
     readViewpoint(entries, header);
     readDataKind(entries, header);

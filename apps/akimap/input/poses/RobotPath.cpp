@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "input/RobotPath.h"
+#include "input/poses/RobotPath.h"
 
 #include <mrpt/math/slerp.h>
 #include <mrpt/poses/CPose3DQuat.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <fstream>
 #include <stdexcept>
-
-#include "input/files.h"
-#include "input/numbers.h"
 
 namespace akimap::app {
 
@@ -45,25 +39,6 @@ CPose3D between(const Sample& a, const Sample& b, Time time) {
                    linear(a.pose.z, b.pose.z));
 }
 
-/** The sample on a line of a TUM file. \exception std::runtime_error saying what is wrong */
-Sample parseSample(const std::vector<std::string_view>& words) {
-    if (words.size() != 8)
-        throw std::runtime_error("expected 8 numbers, time x y z qx qy qz qw, and found " +
-                                 std::to_string(words.size()));
-    std::array<double, 8> v{};
-    for (std::size_t i = 0; i < v.size(); i++)
-        if (!parseNumber(words[i], v[i]) || !std::isfinite(v[i]))
-            throw std::runtime_error("'" + std::string(words[i]) + "' is not a finite number");
-    if (v[0] < 0 || v[0] > 1e11)
-        throw std::runtime_error("'" + std::string(words[0]) + "' is not a time in seconds");
-    const double norm = std::hypot(std::hypot(v[4], v[5]), std::hypot(v[6], v[7]));
-    if (std::abs(norm - 1) > 0.05)
-        throw std::runtime_error("qx qy qz qw is not a unit quaternion: its norm is " +
-                                 std::to_string(norm));
-    return {mrpt::Clock::fromDouble(v[0]),
-            {v[1], v[2], v[3], v[7] / norm, v[4] / norm, v[5] / norm, v[6] / norm}};
-}
-
 }  // namespace
 
 RobotPath::RobotPath(std::vector<Sample> samples, double max_gap)
@@ -88,30 +63,29 @@ Sample RobotPath::sampleOf(Time time, const CPose3D& pose) {
     return {time, mrpt::poses::CPose3DQuat(pose).asTPose()};
 }
 
+CPose3D RobotPath::poseOf(const Sample& sample) {
+    return toPose(sample.pose);
+}
+
 mrpt::Clock::duration RobotPath::toDuration(double max_gap) {
     constexpr double a_century = 3.2e9;
     return std::chrono::duration_cast<mrpt::Clock::duration>(
         std::chrono::duration<double>(std::min(max_gap, a_century) + 1e-6));
 }
 
-RobotPath RobotPath::loadTum(const std::string& file, double max_gap) {
-    requireReadable(file);
-    std::ifstream in(file);
+RobotPath RobotPath::of(const PoseList& list, double max_gap) {
+    if (list.times.empty())
+        throw std::runtime_error(list.file + ": " + list.form +
+                                 " have no times, which the scans of a log need: a TUM trajectory "
+                                 "(time x y z qx qy qz qw) has");
     std::vector<Sample> samples;
-    std::vector<std::string_view> words;
-    std::string line;
-    for (std::size_t number = 1; std::getline(in, line); number++) {
-        splitWords(line, words);
-        if (words.empty() || words.front().front() == '#') continue;
-        try {
-            samples.push_back(parseSample(words));
-        } catch (const std::runtime_error& e) {
-            throw std::runtime_error(file + ":" + std::to_string(number) + ": " + e.what());
-        }
-    }
-    if (in.bad()) throw std::runtime_error(file + ": can't read the trajectory");
-    if (samples.empty()) throw std::runtime_error(file + ": the trajectory holds no poses");
+    for (std::size_t i = 0; i < list.poses.size(); i++)
+        samples.push_back(sampleOf(mrpt::Clock::fromDouble(list.times[i]), list.poses[i]));
     return RobotPath(std::move(samples), max_gap);
+}
+
+RobotPath RobotPath::loadTum(const std::string& file, double max_gap) {
+    return of(readPoses(file), max_gap);
 }
 
 std::optional<CPose3D> RobotPath::at(Time time) const {
