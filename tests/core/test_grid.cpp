@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
 #include <gtest/gtest.h>
-#include "grid/BlockGrid.h"
 
+#include <cstring>
 #include <limits>
 #include <random>
 #include <unordered_map>
+
+#include "estimators/estimators.h"
+#include "grid/grid_sections.h"
+#include "random_scans.h"
+#include "same_blocks.h"
 
 using namespace akimap;
 
@@ -81,6 +86,37 @@ TEST(BlockGrid, RefusesASenselessResolution) {
     for (const double r : {0.0, -0.1, std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity()})
         EXPECT_THROW(BlockGrid{r}, std::invalid_argument);
+}
+
+TEST(BlockGrid, SectionsKeepItWhole) {
+    for (const Estimator e : {Estimator::surface, Estimator::paper}) {
+        BlockGrid grid(0.1), read_back(0.1);
+        InsertionParameters p;
+        p.estimator = e;
+        InsertionStats stats;
+        insertScan(*makeEstimator(e), {test::randomScan(1, 300), 0}, p, grid, stats);
+
+        std::string file;
+        const WriteBytes write = [&](const void* bytes, std::size_t n) {
+            file.append(static_cast<const char*>(bytes), n);
+        };
+        writeGrid(write, grid);
+        writeEnd(write);
+        std::size_t at = 0;
+        const ReadBytes read = [&](void* bytes, std::size_t n) {
+            ASSERT_LE(at + n, file.size());
+            std::memcpy(bytes, &file[at], n);
+            at += n;
+        };
+        SectionReader section(read);
+        std::vector<BlockGrid::BlockIndex> blocks;
+        while (section.next()) {
+            if (section.tag() == kBlocksTag) blocks = readBlocks(section);
+            if (section.tag() == kCellsTag) readCells(section, blocks, read_back);
+            if (section.tag() == kSurfacesTag) readSurfaces(section, blocks, read_back);
+        }
+        EXPECT_EQ(test::blockBits(read_back), test::blockBits(grid));
+    }
 }
 
 TEST(KeyTable, AgreesWithTheStandardMap) {

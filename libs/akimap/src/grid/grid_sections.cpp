@@ -97,6 +97,7 @@ void writeSurfaces(const WriteBytes& out, const std::vector<BlockGrid::PlacedBlo
     std::vector<uint32_t> with;
     for (uint32_t i = 0; i < blocks.size(); i++)
         if (blocks[i].block->surface) with.push_back(i);
+    if (with.empty()) return;
     SectionWriter section(out, kSurfacesTag, Need::optional, with.size() * sizeof(StoredSurface));
     writeInPieces<StoredSurface>(section, with.size(), kBlocksAtOnce,
                                  [&](std::size_t i, StoredSurface& s) {
