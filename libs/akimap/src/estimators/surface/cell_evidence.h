@@ -33,13 +33,14 @@ constexpr Row kOneRow = {1, 1, 1, 1, 1, 1, 1, 1};
 AKIMAP_INLINE Row normalDistribution(Row z) {
     constexpr float kRootHalf = 0.70710678f;
     const Row x = (Row)((RowMask)z & INT32_MAX) * kRootHalf;
+    // Its powers less 1, which has fewer digits the nearer they are to 1.
     Row p =
-        kOneRow + x * (0.0705230784f +
-                       x * (0.0422820123f +
-                            x * (0.0092705272f +
-                                 x * (0.0001520143f + x * (0.0002765672f + x * 0.0000430638f)))));
-    p *= p, p *= p, p *= p, p *= p;
-    const Row tail = 0.5f / p;
+        x *
+        (0.0705230784f +
+         x * (0.0422820123f +
+              x * (0.0092705272f + x * (0.0001520143f + x * (0.0002765672f + x * 0.0000430638f)))));
+    for (int i = 0; i < 4; i++) p *= 2.0f + p;
+    const Row tail = 0.5f / (kOneRow + p);
     return z > 0.0f ? kOneRow - tail : tail;
 }
 

@@ -16,9 +16,10 @@ constexpr float kFall = 0.64f;
 constexpr float kFront = static_cast<float>(kPatchFront),
                 kBehind = static_cast<float>(kPatchBehind);
 
-/** Of the cells that a patch may reach. */
+/** Of the cells that a patch may reach, and the hit's own, from which it may have moved away. */
 KernelBox boxOf(const Patch& p) {
     KernelBox box;
+    const int32_t cell[3] = {p.cell.x, p.cell.y, p.cell.z};
     const double place[3] = {p.x, p.y, p.z};
     const auto squared = [](const float(&a)[3]) {
         return static_cast<double>(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
@@ -29,8 +30,10 @@ KernelBox boxOf(const Patch& p) {
                      along = std::sqrt(u * u + v * v), n = static_cast<double>(p.normal[a]);
         const double up = std::max(n * kPatchFront, -n * kPatchBehind),
                      down = std::max(-n * kPatchFront, n * kPatchBehind);
-        box.first[a] = static_cast<int32_t>(std::ceil(place[a] - along - down));
-        box.last[a] = static_cast<int32_t>(std::floor(place[a] + along + up));
+        const double first = std::ceil(place[a] - along - down),
+                     last = std::floor(place[a] + along + up);
+        box.first[a] = std::min(static_cast<int32_t>(first), cell[a]);
+        box.last[a] = std::max(static_cast<int32_t>(last), cell[a]);
     }
     return box;
 }

@@ -34,8 +34,8 @@ struct PatchSums {
 void binPatches(BinnedPatches& binned);
 
 /** Replaces the sums by those of the patches that reach block number b. A patch is worth
- * w = (1 - q)^4 at a cell's centre, q = 1 at the ellipse, as far as kPatchFront before its plane
- * and, falling to 0, kPatchBehind behind it. */
+ * w = (1 - 0.64 q)^4 at a cell's centre within the ellipse, where q < 1, as far as kPatchFront
+ * before its plane and, falling to 0, kPatchBehind behind it. */
 void sumPatches(const BinnedPatches& binned, std::size_t b, PatchSums& sums);
 
 constexpr double kPatchFront = 2;   ///< [cells]
