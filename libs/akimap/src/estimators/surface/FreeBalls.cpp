@@ -30,7 +30,7 @@ uint64_t keyBeside(uint64_t key, int axis, int step) {
 
 void FreeBalls::clear() {
     index_.clear(), keys_.clear(), blocks_.clear(), passes_.clear();
-    is_exact_.clear();
+    markings_.clear();
     last_key_ = kNoKey;
     marks_ = 0;
 }
@@ -41,7 +41,7 @@ uint32_t FreeBalls::numberOf(uint64_t key) {
     keys_.push_back(key);
     blocks_.push_back(kNoBlock);
     passes_.push_back({});
-    is_exact_.push_back(0);
+    markings_.push_back(Marking::steps);
     return index_.insert(key, static_cast<uint32_t>(keys_.size() - 1)).first;
 }
 
@@ -49,6 +49,7 @@ void FreeBalls::merge(const FreeBalls& other) {
     marks_ += other.marks_;
     for (std::size_t b = 0; b < other.keys_.size(); b++) {
         const uint32_t number = numberOf(other.keys_[b]);
+        markings_[number] = other.markings_[b];
         PowerBlock& here = blocks_[number];
         for (std::size_t i = 0; i < here.size(); i++)
             here[i] = std::min(here[i], other.blocks_[b][i]);

@@ -12,6 +12,14 @@
 
 namespace akimap {
 
+/** How the rays through a block are marked. */
+enum class Marking : uint8_t {
+    steps,   ///< with balls and passes at places some way apart
+    passes,  ///< with balls there, and passes cell by cell: balls reach other blocks, which may not
+             ///< depend on what the map holds in this one
+    cells    ///< with balls and passes cell by cell
+};
+
 /** How far each cell lies from the balls of free space around one scan's rays: the power distance
  * min over balls of |cell - centre|^2 + R^2 - radius^2 [cells^2], the balls centred on cells and of
  * radius <= R; less than R^2 inside a ball. Two steps: mark() the balls, then transform(). As in
@@ -25,16 +33,16 @@ class FreeBalls {
 
     void clear();
     /** The number of a block, by which its cells are marked; made at the first call, when
-     * \param near_surface(key) says whether its passes are to be exact. */
-    template <class NearSurface>
-    uint32_t numberOf(uint64_t key, NearSurface&& near_surface) {
+     * \param marking(key) says how its rays are to be marked. */
+    template <class MarkingOf>
+    uint32_t numberOf(uint64_t key, MarkingOf&& marking) {
         if (key == last_key_) return last_;
         const auto known = static_cast<uint32_t>(keys_.size());
         last_ = numberOf(key), last_key_ = key;
-        if (last_ == known) is_exact_[last_] = near_surface(key);
+        if (last_ == known) markings_[last_] = marking(key);
         return last_;
     }
-    [[nodiscard]] bool isExact(uint32_t block) const { return is_exact_[block] != 0; }
+    [[nodiscard]] Marking markingOf(uint32_t block) const { return markings_[block]; }
     /** Of one block; until the next call of numberOf(). */
     struct Marks {
         PowerBlock& power;
@@ -79,7 +87,7 @@ class FreeBalls {
     std::vector<uint64_t> keys_;
     std::vector<PowerBlock> blocks_, transformed_;
     std::vector<PassesBlock> passes_;
-    std::vector<char> is_exact_;
+    std::vector<Marking> markings_;
     std::size_t marks_ = 0;
     uint64_t last_key_ = kNoKey;  // of the block that was asked for last, and
     uint32_t last_ = 0;           // its number

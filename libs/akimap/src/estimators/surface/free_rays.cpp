@@ -19,6 +19,7 @@ constexpr double kStep = 0.5;       // from ball to ball, over R
 constexpr double kLeastCosine = 0.05;  // of the angle between a plane's normal and a ray
 constexpr double kLeastBall = 0.25;    // [cells]
 constexpr double kOffCenter = 0.9;  // [cells] balls are centred on cells: half a diagonal, rounding
+constexpr double kShortest = 1e-6;  // [cells] what a ray crosses on a shorter way it only touches
 
 /** Of a ray, away from its end: where balls go. Lengths in cells, places relative to the anchor. */
 struct Walk {
@@ -74,7 +75,8 @@ AKIMAP_INLINE void walkBoxes(const Walk& w, double side, double from, double to,
     for (double t = from; t < to;) {
         const int a =
             next[0] <= next[1] ? (next[0] <= next[2] ? 0 : 2) : (next[1] <= next[2] ? 1 : 2);
-        visit(CellIndex{box[0], box[1], box[2]}, t, std::min(next[a], to));
+        const double leave = std::min(next[a], to);
+        if (leave > t + kShortest) visit(CellIndex{box[0], box[1], box[2]}, t, leave);
         t = next[a];
         next[a] += stride[a];
         box[a] += step[a];
@@ -82,14 +84,15 @@ AKIMAP_INLINE void walkBoxes(const Walk& w, double side, double from, double to,
 }
 
 /** Marks a place of a ray, a block's cell. */
-AKIMAP_INLINE void markPlace(const Walk& w, double t, double radius, int cell, unsigned returns,
-                             FreeBalls::Marks marks) {
+AKIMAP_INLINE void markBall(const Walk& w, double t, double radius, int cell,
+                            FreeBalls::Marks marks) {
     const double ball = std::min(w.slope * (t - w.start), radius);
-    const bool passed = t >= w.passes;
-    if (ball < kLeastBall && !passed) return;
-    const double power = radius * radius - std::max(ball, 0.0) * std::max(ball, 0.0);
-    marks.ball(cell, static_cast<uint16_t>(kPowerUnit * power));
-    if (passed) marks.pass(cell, returns);
+    if (ball < kLeastBall) return;
+    marks.ball(cell, static_cast<uint16_t>(kPowerUnit * (radius * radius - ball * ball)));
+}
+AKIMAP_INLINE void markPass(const Walk& w, double t, unsigned returns, int cell,
+                            FreeBalls::Marks marks) {
+    if (t >= w.passes) marks.pass(cell, returns);
 }
 
 /** The cell of a block at a place of a ray, which rounding may put beside it. */
@@ -105,16 +108,26 @@ AKIMAP_INLINE CellIndex cellOn(const Walk& w, double t) {
     return {at(0), at(1), at(2)};
 }
 
-/** Marks the cells of a block along a part of a ray that lies far from its hit: all alike. */
-AKIMAP_INLINE void markFar(const Walk& w, const CellIndex& b, double from, double to,
-                           unsigned returns, FreeBalls::Marks marks) {
-    constexpr double kShortest =
-        1e-6;  // [cells] of a chord: rounding must not lead out of the block
+/** What of a ray lies in a block. */
+struct RayPart {
+    FreeBalls& free;
+    uint32_t number;  // of the block
+    CellIndex block;
+    double enter, leave;  // from the ray's end
+    unsigned returns;     // that the ray stands for
+    [[nodiscard]] AKIMAP_INLINE FreeBalls::Marks marks() const { return free.marksOf(number); }
+};
+
+/** Marks the cells of a part that lies far from its ray's hit: all alike. */
+template <bool kBalls>
+AKIMAP_INLINE void markFar(const Walk& w, const RayPart& part) {
+    FreeBalls::Marks marks = part.marks();
+    const CellIndex& b = part.block;
     const int32_t low[3] = {b.x * Block::kSide, b.y * Block::kSide, b.z * Block::kSide};
     double next[3], stride[3];
     int step[3], cell = 0;
     for (int a = 0; a < 3; a++) {
-        const double at = w.end[a] + w.back[a] * from - low[a];
+        const double at = w.end[a] + w.back[a] * part.enter - low[a];
         const int first = std::clamp(static_cast<int>(at), 0, Block::kSide - 1);
         const bool up = w.per_back[a] > 0;
         cell |= first << 3 * a, step[a] = (up ? 1 : -1) << 3 * a;
@@ -122,37 +135,53 @@ AKIMAP_INLINE void markFar(const Walk& w, const CellIndex& b, double from, doubl
         next[a] = (low[a] + first + up - w.end[a]) * w.per_back[a];
     }
     for (;;) {  // without branches: each axis is as likely as the others
-        marks.ball(cell, 0);
-        marks.pass(cell, returns);
+        if constexpr (kBalls) marks.ball(cell, 0);
+        marks.pass(cell, part.returns);
         const double t = std::min(next[0], std::min(next[1], next[2]));
-        if (t > to - kShortest) return;
+        if (t > part.leave - kShortest) return;  // nor may rounding lead out of the block
         const bool x = next[0] == t, y = !x && next[1] == t, z = !x && !y;
         cell = (cell + (x ? step[0] : y ? step[1] : step[2])) & (Block::kCells - 1);
         next[0] += x ? stride[0] : 0, next[1] += y ? stride[1] : 0, next[2] += z ? stride[2] : 0;
     }
 }
 
-/** Marks a ray block by block: cell by cell near surfaces, and with steps elsewhere.
- * \param returns that the ray stands for */
+/** Marks each cell of a part. \param far from the ray's end, all cells are alike */
+template <bool kBalls>
+AKIMAP_INLINE void markCells(const Walk& w, const RayPart& part, double radius, double far) {
+    if (part.enter >= far) return markFar<kBalls>(w, part);
+    walkBoxes(w, 1, part.enter, part.leave,
+              [&](const CellIndex& c, double enter, double leave) AKIMAP_INLINE_LAMBDA {
+                  const double t = 0.5 * (enter + leave);
+                  const int cell = cellIn(part.block, c);
+                  const FreeBalls::Marks marks = part.marks();
+                  if constexpr (kBalls) markBall(w, t, radius, cell, marks);
+                  markPass(w, t, part.returns, cell, marks);
+              });
+}
+
+/** Marks places of a part that lie a step apart. */
+AKIMAP_INLINE void markSteps(const Walk& w, const RayPart& part, double radius, bool passes) {
+    const double step = std::max(1.0, kStep * radius);
+    for (double t = std::ceil(part.enter / step) * step; t < part.leave; t += step) {
+        const int cell = cellIn(part.block, cellOn(w, t));
+        const FreeBalls::Marks marks = part.marks();
+        markBall(w, t, radius, cell, marks);
+        if (passes) markPass(w, t, part.returns, cell, marks);
+    }
+}
+
+/** Marks a ray block by block. \param returns that the ray stands for */
 AKIMAP_INLINE void markRay(const Walk& w, const RayMarking& m, unsigned returns, FreeBalls& free) {
-    const double radius = m.radius, step = std::max(1.0, kStep * radius);
-    const double far = std::max(w.passes, w.start + radius / w.slope);
-    const auto near = [&](uint64_t key) { return m.isNearSurface(key); };
+    const double far = std::max(w.passes, w.start + m.radius / w.slope);
+    const auto markingOf = [&](uint64_t key) { return m.of(key); };
     walkBoxes(w, Block::kSide, 0, w.length,
               [&](const CellIndex& b, double enter, double leave) AKIMAP_INLINE_LAMBDA {
-                  const uint32_t block = free.numberOf(packKey(b), near);
-                  if (!free.isExact(block))
-                      for (double t = std::ceil(enter / step) * step; t < leave; t += step)
-                          markPlace(w, t, radius, cellIn(b, cellOn(w, t)), returns,
-                                    free.marksOf(block));
-                  else if (enter >= far)
-                      markFar(w, b, enter, leave, returns, free.marksOf(block));
-                  else
-                      walkBoxes(w, 1, enter, leave,
-                                [&](const CellIndex& c, double t, double end) AKIMAP_INLINE_LAMBDA {
-                                    markPlace(w, 0.5 * (t + end), radius, cellIn(b, c), returns,
-                                              free.marksOf(block));
-                                });
+                  const uint32_t number = free.numberOf(packKey(b), markingOf);
+                  const RayPart part{free, number, b, enter, leave, returns};
+                  const Marking marking = free.markingOf(number);
+                  if (marking == Marking::cells) return markCells<true>(w, part, m.radius, far);
+                  markSteps(w, part, m.radius, marking == Marking::steps);
+                  if (marking == Marking::passes) markCells<false>(w, part, m.radius, far);
               });
 }
 
@@ -165,10 +194,10 @@ void markRange(const RayMarking& m, const KeptRay* rays, const Patch* patches, s
 
 }  // namespace
 
-bool RayMarking::isNearSurface(uint64_t key) const {
-    if (patches.numbers.find(key) != KeyTable::kNone) return true;
-    const Block* block = grid.find(blockInMap(key, anchor));
-    return block && block->surface;
+Marking RayMarking::of(uint64_t block_key) const {
+    if (patches.numbers.find(block_key) != KeyTable::kNone) return Marking::cells;
+    const Block* block = grid.find(blockInMap(block_key, anchor));
+    return block && block->surface ? Marking::passes : Marking::steps;
 }
 
 void markHitRays(const RayMarking& m, const std::vector<KeptRay>& rays,

@@ -16,8 +16,8 @@ struct RayMarking {
     const BinnedPatches& patches;  ///< of the hits
     const BlockGrid& grid;         ///< before the scan
 
-    /** Whether the block has surfaces, or gets some: its cells must know each ray that passes. */
-    [[nodiscard]] bool isNearSurface(uint64_t key) const;
+    /** Where the block has surfaces, or gets some, its cells must know each ray that passes. */
+    [[nodiscard]] Marking of(uint64_t block_key) const;
 };
 
 /** Marks the free space along each hit's ray: balls as wide as the gaps between rays, and narrower
