@@ -10,7 +10,7 @@
 
 namespace akimap {
 
-/** A block that a scan says something of: its numbers among the kernels' and the free space's
+/** A block that a scan says something of: its numbers among the patches' and the free space's
  * blocks, KeyTable::kNone where it is not among them. */
 struct EvidenceBlock {
     uint64_t key;
