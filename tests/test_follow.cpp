@@ -47,7 +47,8 @@ class Follow : public Build {
                                           folder.path().string());
         EXPECT_EQ(simulated.exit, 0) << simulated.err;
         Objects log{odometry(-1)};  // the Velodyne's first turn began before scan 0
-        akimap::app::ObjectReader reader(file("scene.rawlog"));
+        using namespace akimap::app;
+        ObjectReader reader(CheckedLog(file("scene.rawlog"), ExternalFiles::beside_log));
         for (int i = 0; auto object = reader.next(); i++) {
             auto scan = std::dynamic_pointer_cast<CObservation>(object);
             if (!scan || i >= 8) continue;

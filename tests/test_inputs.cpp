@@ -308,7 +308,7 @@ std::vector<uint64_t> writeObjects(Stream& stream, int count) {
 /** Objects read before the end; -1 if it is a cut one, -2 if the file is refused as damaged. */
 int countObjects(const std::string& file) {
     try {
-        ObjectReader reader(file);
+        ObjectReader reader(CheckedLog(file, ExternalFiles::beside_log));
         int count = 0;
         while (reader.next()) count++;
         return count;

@@ -9,21 +9,20 @@
 #include <iostream>
 
 #include "StopSignal.h"
-#include "input/external_images.h"
 
 namespace akimap::app {
 
 using namespace mrpt::obs;
 using mrpt::serialization::CSerializable;
 
-LogFeed::LogFeed(const std::string& file, Form form, uint64_t first_object)
-    : file_(file), form_(form), first_object_(first_object) {
-    findExternalImages(file);
+LogFeed::LogFeed(const CheckedLog& log, Form form, uint64_t first_object)
+    : log_(log), form_(form), first_object_(first_object) {
+    findExternalFiles(log.file());
     restart();
 }
 
 void LogFeed::restart() {
-    reader_ = std::make_unique<ObjectReader>(file_);
+    reader_ = std::make_unique<ObjectReader>(log_);
     pending_.clear();
     newest_odometry_.reset();
     used_odometry_.reset();
@@ -102,7 +101,8 @@ void LogFeed::rethrowFailure() const {
 void LogFeed::requireSuccess() const {
     rethrowFailure();
     if (entries_ == 0 && !StopSignal::requested())
-        throw std::runtime_error(file_ + ": no actions with sensory frames and no observations");
+        throw std::runtime_error(log_.file() +
+                                 ": no actions with sensory frames and no observations");
 }
 
 }  // namespace akimap::app

@@ -26,7 +26,7 @@ class LogFeed {
     };
 
     /** \exception std::runtime_error naming the file */
-    LogFeed(const std::string& file, Form form, uint64_t first_object);
+    LogFeed(const CheckedLog& log, Form form, uint64_t first_object);
 
     /** False at the end, from where it starts over: pf-localization runs through a log for each
      * of its particle counts. Never throws, as it is called in threads of MRPT's. */
@@ -44,7 +44,7 @@ class LogFeed {
     bool makePair(mrpt::obs::CActionCollection::Ptr& actions, mrpt::obs::CSensoryFrame::Ptr& frame,
                   mrpt::obs::CObservation::Ptr& observation);
 
-    std::string file_;
+    CheckedLog log_;
     Form form_;
     uint64_t first_object_, entries_ = 0;
     std::unique_ptr<ObjectReader> reader_;

@@ -60,8 +60,11 @@ void localize(const AppRequest& request) {
         std::cerr << "akimap: warning: " << request.config << ": [" << kMapSection
                   << "] has no akimap_count = 1: no AkiMap is used\n";
     checkExperiment(request, ini);
-    ini.write(kSection, "map_file", findMapFile(request, ini));
-    LogFeed feed(request.rawlog, LogFeed::Form::as_recorded, 0);  // it skips rawlog_offset itself
+    const std::string map_file = findMapFile(request, ini);
+    static_cast<void>(request.checked(map_file));  // MRPT reads it
+    ini.write(kSection, "map_file", map_file);
+    LogFeed feed(request.checked(request.rawlog), LogFeed::Form::as_recorded,
+                 0);  // it skips rawlog_offset itself
     Results results(outputFolder(request, ini, kSection));
     FedApp<mrpt::apps::MonteCarloLocalization_Rawlog> app(feed);
     quietDown(ini, kSection, request, app);

@@ -36,6 +36,8 @@ void addInputs(CLI::App& command, AppRequest& request, const std::string& config
     command.add_option("RAWLOG", request.rawlog, "The log to run through")
         ->required()
         ->default_str("");
+    command.add_flag("--allow-external", request.allow_external,
+                     "Take what the log keeps in other files from outside its folder too");
 }
 
 void addOutputs(CLI::App& command, AppRequest& request) {

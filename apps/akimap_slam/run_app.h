@@ -19,9 +19,15 @@ struct AppRequest {
     std::string config, rawlog;
     std::string folder;  ///< for the results; empty: the INI's logOutput_dir
     bool verbose = false;
+    bool allow_external = false;  ///< see ExternalFiles
+
+    /** A log or simplemap that can be read: see CheckedLog. */
+    [[nodiscard]] CheckedLog checked(const std::string& log) const {
+        return {log, allow_external ? ExternalFiles::anywhere : ExternalFiles::beside_log};
+    }
 };
 
-/** Adds CONFIG and RAWLOG. */
+/** Adds CONFIG, RAWLOG and --allow-external. */
 void addInputs(CLI::App& command, AppRequest& request, const std::string& config_help);
 /** Adds the options that say where results go and how much is told. */
 void addOutputs(CLI::App& command, AppRequest& request);

@@ -37,7 +37,8 @@ std::string methodFor(const SlamRequest& request, const Ini& ini) {
 template <class App>
 void runSlam(const SlamRequest& request, Ini ini, LogFeed::Form form,
              const std::string& map_prefix) {
-    LogFeed feed(request.rawlog, form, ini.read_uint64_t(kSection, "rawlog_offset", 0));
+    LogFeed feed(request.checked(request.rawlog), form,
+                 ini.read_uint64_t(kSection, "rawlog_offset", 0));
     Results results(outputFolder(request, ini, kSection));
     FedApp<App> app(feed);
     quietDown(ini, kSection, request, app);

@@ -7,9 +7,10 @@
 
 #include <algorithm>
 
+#include "input/CheckedLog.h"
 #include "input/GrowingFile.h"
 #include "input/RawlogReader.h"
-#include "input/external_images.h"
+#include "input/external_files.h"
 #include "input/files.h"
 #include "input/scan_classes.h"
 
@@ -36,10 +37,11 @@ FollowSource::FollowSource(const std::string& file, const InputOptions& options,
 }
 
 void FollowSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
-    findExternalImages(file());
+    findExternalFiles(file());
     RawlogReader reader(file(),
                         std::make_unique<GrowingFile>(file(), follow_.idle, follow_.is_stopped));
     for (RawlogEntry entry; !follow_.is_stopped() && reader.next(entry);) {
+        check(entry);
         notePoses(entry);
         if (entry.observation) noteScan(entry.observation, skipped);
         if (!giveSettled(take, skipped, false)) return;
@@ -47,6 +49,12 @@ void FollowSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
     if (!reader.cut().empty() && !follow_.is_stopped())
         options_.warn(reader.cut() + ", and did not grow any more; taking what is whole before it");
     giveSettled(take, skipped, true);
+}
+
+/** What is still being written can't be read beforehand: MRPT's classes have to be trusted here. */
+void FollowSource::check(const RawlogEntry& entry) const {
+    if (entry.actions) checkObject(*entry.actions, file(), options_.external_files);
+    if (entry.observation) checkObject(*entry.observation, file(), options_.external_files);
 }
 
 void FollowSource::notePoses(const RawlogEntry& entry) {

@@ -39,6 +39,7 @@ class FollowSource : public ScanSource {
         mrpt::poses::CPose3D dead_reckoning;  // where the actions before it lead
     };
 
+    void check(const RawlogEntry& entry) const;
     void notePoses(const RawlogEntry& entry);
     void noteScan(const mrpt::obs::CObservation::Ptr& observation, SkippedScans& skipped);
     bool choosePoses(mrpt::Clock::time_point first_scan, bool at_end);

@@ -74,6 +74,11 @@ void addInputOptions(CLI::App& command, InputRequest& request) {
         .add_flag("--partial", request.partial,
                   "Of a rawlog cut in its last object, take what is whole")
         ->group(kInputGroup);
+    command
+        .add_flag("--allow-external", request.allow_external,
+                  "Take clouds and depth images that a log keeps in other files from outside its "
+                  "folder too")
+        ->group(kInputGroup);
 }
 
 CLI::Option* addFollowOptions(CLI::App& command, InputRequest& request) {

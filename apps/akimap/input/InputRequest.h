@@ -15,17 +15,18 @@ namespace akimap::app {
 struct InputRequest {
     std::vector<std::string> inputs;
     DepthRequest depth;
-    std::string poses;       ///< a file or folder of poses; empty: the inputs' own
-    std::string times;       ///< a file of the clouds' or images' times
-    std::string extrinsic;   ///< for poseArgument(); empty: none
-    std::string frame;       ///< of clouds: map or sensor; empty: not said
-    bool no_deskew = false;  ///< leave clouds as they are, whatever times their points have
-    double max_gap = 0.5;    ///< [s] largest gap bridged between poses
-    std::string only_label;  ///< empty: all sensors
-    uint64_t first = 0;      ///< scans to take; 0: all
-    bool partial = false;    ///< take what is whole of a cut rawlog
-    bool follow = false;     ///< the last input is a rawlog that is still being written
-    double idle = 10;        ///< [s] it is at its end when it has not grown for so long
+    std::string poses;            ///< a file or folder of poses; empty: the inputs' own
+    std::string times;            ///< a file of the clouds' or images' times
+    std::string extrinsic;        ///< for poseArgument(); empty: none
+    std::string frame;            ///< of clouds: map or sensor; empty: not said
+    bool no_deskew = false;       ///< leave clouds as they are, whatever times their points have
+    double max_gap = 0.5;         ///< [s] largest gap bridged between poses
+    std::string only_label;       ///< empty: all sensors
+    uint64_t first = 0;           ///< scans to take; 0: all
+    bool partial = false;         ///< take what is whole of a cut rawlog
+    bool allow_external = false;  ///< clouds and images of logs may be in files anywhere
+    bool follow = false;          ///< the last input is a rawlog that is still being written
+    double idle = 10;             ///< [s] it is at its end when it has not grown for so long
 };
 
 inline constexpr const char* kInputGroup =

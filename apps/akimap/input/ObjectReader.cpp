@@ -27,6 +27,10 @@ class WholeFile : public ByteSource {
 
 }  // namespace
 
+std::unique_ptr<ByteSource> wholeFile(const std::string& file) {
+    return std::make_unique<WholeFile>(file);
+}
+
 /** What CArchive needs of a stream. Unlike MRPT's streams it refuses a read that gets fewer bytes
  * than asked for, where CArchive would go on with half-filled numbers and vectors. */
 class ObjectReader::Stream {
@@ -72,8 +76,8 @@ std::string whyUnreadable(const std::string& what) {
 
 }  // namespace
 
-ObjectReader::ObjectReader(const std::string& file)
-    : file_(file), stream_(std::make_unique<Stream>(std::make_unique<WholeFile>(file))) {}
+ObjectReader::ObjectReader(const CheckedLog& log)
+    : ObjectReader(log.file(), wholeFile(log.file())) {}
 
 ObjectReader::ObjectReader(const std::string& file, std::unique_ptr<ByteSource> source)
     : file_(file), stream_(std::make_unique<Stream>(std::move(source))) {}

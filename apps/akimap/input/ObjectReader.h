@@ -10,6 +10,7 @@
 #include <string>
 
 #include "input/ByteSource.h"
+#include "input/CheckedLog.h"
 
 namespace akimap::app {
 
@@ -18,13 +19,17 @@ struct CutFile : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/** The bytes of a file that is there, plain or gz.
+ * \exception std::runtime_error naming it if it can't be read */
+[[nodiscard]] std::unique_ptr<ByteSource> wholeFile(const std::string& file);
+
 /** Reads serialized MRPT objects one by one from a plain or gz file, and tells a clean end from a
  * cut one, which MRPT's own end-of-file exception does not. */
 class ObjectReader {
  public:
     /** \exception std::runtime_error naming the file if it can't be read */
-    explicit ObjectReader(const std::string& file);
-    /** Reads the file's bytes from `source`, whose end is taken for the file's. */
+    explicit ObjectReader(const CheckedLog& log);
+    /** Reads the file's bytes, unchecked, from `source`, whose end is taken for the file's. */
     ObjectReader(const std::string& file, std::unique_ptr<ByteSource> source);
     ~ObjectReader();
 

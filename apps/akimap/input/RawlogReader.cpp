@@ -13,8 +13,8 @@ using mrpt::obs::CRawlog;
 using mrpt::obs::CSensoryFrame;
 using mrpt::serialization::CSerializable;
 
-RawlogReader::RawlogReader(const std::string& file, bool partial)
-    : file_(file), partial_(partial), objects_(file) {}
+RawlogReader::RawlogReader(const CheckedLog& log, bool partial)
+    : file_(log.file()), partial_(partial), objects_(log) {}
 
 RawlogReader::RawlogReader(const std::string& file, std::unique_ptr<ByteSource> source)
     : file_(file), partial_(true), objects_(file, std::move(source)) {}

@@ -23,8 +23,8 @@ class RawlogReader {
  public:
     /** \param partial take a cut file's end for a clean one
      * \exception std::runtime_error naming the file */
-    RawlogReader(const std::string& file, bool partial);
-    /** Reads the file's bytes from `source`, and takes its end for a clean one. */
+    RawlogReader(const CheckedLog& log, bool partial);
+    /** Reads the file's bytes, unchecked, from `source`, and takes its end for a clean one. */
     RawlogReader(const std::string& file, std::unique_ptr<ByteSource> source);
 
     /** False at the end.

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "input/RawlogReader.h"
-#include "input/external_images.h"
+#include "input/external_files.h"
 #include "input/scan_classes.h"
 
 namespace akimap::app {
@@ -44,7 +44,10 @@ struct RawlogSource::Survey {
 };
 
 RawlogSource::RawlogSource(const std::string& file, const InputOptions& options)
-    : ScanSource(file), only_label_(options.only_label), partial_(options.partial) {
+    : ScanSource(file),
+      log_(file, options.external_files),
+      only_label_(options.only_label),
+      partial_(options.partial) {
     Survey found = survey(options);
     choosePoses(found, options);
     const auto is_covered = [this](auto time) { return !trajectory_ || trajectory_->at(time); };
@@ -56,7 +59,7 @@ RawlogSource::RawlogSource(const std::string& file, const InputOptions& options)
 
 RawlogSource::Survey RawlogSource::survey(const InputOptions& options) const {
     Survey found;
-    RawlogReader reader(file(), partial_);
+    RawlogReader reader(log_, partial_);
     for (RawlogEntry entry; reader.next(entry);) found.add(entry, only_label_);
     if (!reader.cut().empty()) options.warn(reader.cut() + "; taking what is whole before it");
     return found;
@@ -79,8 +82,8 @@ void RawlogSource::choosePoses(Survey& survey, const InputOptions& options) {
 }
 
 void RawlogSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
-    findExternalImages(file());
-    RawlogReader reader(file(), partial_);
+    findExternalFiles(file());
+    RawlogReader reader(log_, partial_);
     CPose3D dead_reckoning;
     for (RawlogEntry entry; reader.next(entry);) {
         if (CPose3D increment; entry.actions) {

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include "input/CheckedLog.h"
 #include "input/ScanSource.h"
 
 namespace akimap::app {
@@ -27,6 +28,7 @@ class RawlogSource : public ScanSource {
     Survey survey(const InputOptions& options) const;
     void choosePoses(Survey& survey, const InputOptions& options);
 
+    CheckedLog log_;
     std::string only_label_;
     bool partial_;
     std::shared_ptr<const RobotPath> trajectory_;  // null: increments in the actions, if any

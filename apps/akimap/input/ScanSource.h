@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "input/external_files.h"
 #include "input/poses/RobotPath.h"
 
 namespace akimap::app {
@@ -59,7 +60,8 @@ struct InputOptions {
     bool deskew = true;      ///< take clouds' points from where the sensor was at their times
     std::string only_label;  ///< take observations of this sensor only; empty: of all
     bool partial = false;    ///< take what is whole of a rawlog cut at its end
-    std::function<void(const std::string&)> warn;  ///< gets one line
+    ExternalFiles external_files = ExternalFiles::beside_log;  ///< of rawlogs and simplemaps
+    std::function<void(const std::string&)> warn;              ///< gets one line
 };
 
 /** Scans of a file, or of a list of files. Opening one reads it through, to find robot poses and

@@ -5,15 +5,15 @@
 #include <mrpt/maps/CSimpleMap.h>
 
 #include "input/ObjectReader.h"
-#include "input/external_images.h"
 #include "input/scan_classes.h"
 
 namespace akimap::app {
 
 namespace {
 
-mrpt::maps::CSimpleMap::Ptr load(const std::string& file) {
-    ObjectReader objects(file);
+mrpt::maps::CSimpleMap::Ptr load(const CheckedLog& log) {
+    const std::string& file = log.file();
+    ObjectReader objects(log);
     const auto object = objects.next();
     const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object);
     if (!map)
@@ -27,8 +27,8 @@ mrpt::maps::CSimpleMap::Ptr load(const std::string& file) {
 }  // namespace
 
 SimplemapSource::SimplemapSource(const std::string& file, const InputOptions& options)
-    : ScanSource(file), only_label_(options.only_label) {
-    const auto map = load(file);
+    : ScanSource(file), log_(file, options.external_files), only_label_(options.only_label) {
+    const auto map = load(log_);
     for (const auto& keyframe : *map) {
         if (!keyframe.pose || !keyframe.sf) continue;
         for (const mrpt::obs::CObservation::Ptr& observation : *keyframe.sf) {
@@ -40,8 +40,8 @@ SimplemapSource::SimplemapSource(const std::string& file, const InputOptions& op
 }
 
 void SimplemapSource::forEachScan(const TakeScan& take, SkippedScans& skipped) {
-    findExternalImages(file());
-    const auto map = load(file());
+    findExternalFiles(file());
+    const auto map = load(log_);
     for (const auto& keyframe : *map) {
         if (!keyframe.pose || !keyframe.sf) continue;
         const mrpt::poses::CPose3D pose = keyframe.pose->getMeanVal();

@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #pragma once
 
+#include "input/CheckedLog.h"
 #include "input/ScanSource.h"
 
 namespace akimap::app {
@@ -17,6 +18,7 @@ class SimplemapSource : public ScanSource {
     void forEachScan(const TakeScan& take, SkippedScans& skipped) override;
 
  private:
+    CheckedLog log_;
     std::string only_label_;
     std::size_t scan_count_ = 0;
     std::set<std::string> labels_;

@@ -97,6 +97,7 @@ InputOptions optionsOf(const InputRequest& request) {
     options.max_gap = request.max_gap;
     options.only_label = request.only_label;
     options.partial = request.partial;
+    if (request.allow_external) options.external_files = ExternalFiles::anywhere;
     options.poses = request.poses;
     options.times = request.times;
     options.deskew = !request.no_deskew;
