@@ -21,7 +21,7 @@ PACKAGES := build-essential cmake libmrpt-maps-dev libmrpt-apps-dev \
 # What akimap is built without where the system has no such packages: ROS 1 bags.
 OPTIONAL_PACKAGES := librosbag-storage-dev libsensor-msgs-dev libnav-msgs-dev libtf2-msgs-dev
 
-.PHONY: all configure deps demo test bench bench-instructions benchmark ablations doc-mrpt asan tsan test-trixie format clean help
+.PHONY: all configure deps demo test bench bench-instructions benchmark ablations doc-mrpt asan tsan soak fuzz test-trixie format clean help
 .DEFAULT_GOAL := all
 
 all: configure
@@ -84,6 +84,19 @@ asan tsan: deps
 	@cmake --preset $@ >/dev/null
 	@$(MAKE) --no-print-directory test BUILD=build-$@
 
+# 8 hours of scans at 10 Hz in a room and along a corridor, and what readers cost a writer.
+soak: configure
+	@cmake --build $(BUILD) -j$(JOBS) --target soak -- --no-print-directory
+	@$(BUILD)/bin/soak
+
+# Each reader of files under clang's libFuzzer, AddressSanitizer and UBSan, one after the other.
+FUZZ_SECONDS ?= 1800
+fuzz: PACKAGES += clang libclang-rt-dev
+fuzz: deps
+	@cmake --preset fuzz >/dev/null
+	@cmake --build build-fuzz -j$(JOBS) -- --no-print-directory
+	@tests/fuzz/run.sh build-fuzz $(FUZZ_SECONDS)
+
 # The same on MRPT 2.14, in a Debian 13 chroot (root, debootstrap; about 5 GB and half an hour).
 test-trixie:
 	@JOBS=$(JOBS) CMAKE_FLAGS="$(CMAKE_FLAGS)" .ci/test-trixie
@@ -92,7 +105,7 @@ format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format -i
 
 clean:
-	@rm -rf build build-ablations build-asan build-tsan demo
+	@rm -rf build build-ablations build-asan build-fuzz build-tsan demo
 
 help:
 	@echo "make demo    maps from real and simulated scans, with pictures and an accuracy table"
@@ -104,6 +117,8 @@ help:
 	@echo "make ablations   accuracy with one thing in the default estimator changed at a time (ROWS=PATTERN)"
 	@echo "make asan    the tests under AddressSanitizer and UBSan, but for stock programs and viewers"
 	@echo "make tsan    the same under ThreadSanitizer"
+	@echo "make soak    8 hours of scans, and readers beside a writer"
+	@echo "make fuzz    each reader of files under libFuzzer, FUZZ_SECONDS=1800 each"
 	@echo "make test-trixie    the tests on MRPT 2.14, in a Debian 13 chroot"
 	@echo "make format  clang-format every source file"
 	@echo "make clean   remove build*/ and demo/"
