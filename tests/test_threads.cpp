@@ -128,6 +128,22 @@ TEST(Threads, LikelihoodsOfACamerasFirstImage) {
     }
 }
 
+/** MRPT throws its tables away when it has more than 100. */
+TEST(Threads, MapsOfTheirOwnGetImagesOfMoreCamerasThanMrptKeeps) {
+    const auto mapped = [](std::size_t camera) {
+        AkiMap map(0.1);
+        map.insertionOptions.threads = 1;
+        map.insertObservation(*depthScan(70 + 0.1 * static_cast<double>(camera)));
+        return test::cellsFingerprint(map);
+    };
+    constexpr std::size_t kCameras = 80;  // of each thread
+    std::vector<std::string> prints(kThreads * kCameras);
+    inThreads([&](std::size_t t) {
+        for (std::size_t i = t; i < prints.size(); i += kThreads) prints[i] = mapped(i);
+    });
+    for (std::size_t i = 0; i < prints.size(); i++) ASSERT_EQ(prints[i], mapped(i)) << i;
+}
+
 TEST(Threads, LikelihoodsOfACloudThatIsStillInItsFile) {
     const TemporaryFolder folder;
     const AkiMap map = roomMap();

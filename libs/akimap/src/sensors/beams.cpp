@@ -2,6 +2,7 @@
 // Copyright (c) 2026, the akimap developers
 #include "sensors/beams.h"
 
+#include <array>
 #include <cmath>
 
 namespace akimap {
@@ -49,15 +50,52 @@ const std::vector<std::pair<double, double>>& directionsOf(const CObservation2DR
     return last.directions;
 }
 
-const CObservation3DRangeScan::unproject_LUT_t& unprojectionOf(const CObservation3DRangeScan& o,
-                                                               std::size_t pixels) {
-    const std::lock_guard lock(observationMutex());
+namespace {
+
+struct Camera {
+    mrpt::img::TCamera model;
+    bool range_is_depth = false;
+    std::shared_ptr<const PixelDirections> directions;
+};
+
+std::shared_ptr<const PixelDirections> copyOfMrptsTable(const CObservation3DRangeScan& o) {
     const auto& table = o.get_unproj_lut();
-    if (table.Kxs.size() != pixels)
+    auto copy = std::make_shared<PixelDirections>();
+    copy->x.assign(table.Kxs.begin(), table.Kxs.end());
+    copy->y.assign(table.Kys.begin(), table.Kys.end());
+    copy->z.assign(table.Kzs.begin(), table.Kzs.end());
+    return copy;
+}
+
+void requireCamerasSize(const CObservation3DRangeScan& o) {
+    const auto text = [](auto columns, auto rows) {
+        return std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
+    };
+    const auto columns = o.rangeImage.cols(), rows = o.rangeImage.rows();
+    const auto& camera = o.cameraParams;
+    if (columns != static_cast<int>(camera.ncols) || rows != static_cast<int>(camera.nrows))
         throw std::runtime_error("CObservation3DRangeScan '" + o.sensorLabel +
-                                 "': range image of " + std::to_string(pixels) +
-                                 " pixels, camera model of " + std::to_string(table.Kxs.size()));
-    return table;
+                                 "': range image of " + text(columns, rows) + ", camera model of " +
+                                 text(camera.ncols, camera.nrows));
+}
+
+}  // namespace
+
+std::shared_ptr<const PixelDirections> pixelDirectionsOf(const CObservation3DRangeScan& o) {
+    requireCamerasSize(o);
+    static std::array<Camera, 8> known;  // more than a robot has
+    static std::size_t oldest = 0;
+    const std::lock_guard lock(observationMutex());
+    for (const Camera& camera : known)
+        if (camera.directions && camera.range_is_depth == o.range_is_depth &&
+            camera.model == o.cameraParams)
+            return camera.directions;
+    Camera& camera = known[oldest];
+    camera.directions = copyOfMrptsTable(o);
+    camera.model = o.cameraParams;
+    camera.range_is_depth = o.range_is_depth;
+    oldest = (oldest + 1) % known.size();
+    return camera.directions;
 }
 
 }  // namespace akimap

@@ -8,6 +8,7 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationRotatingScan.h>
 
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -37,10 +38,15 @@ void loadOnce(const mrpt::obs::CObservation& o);
 const std::vector<std::pair<double, double>>& directionsOf(
     const mrpt::obs::CObservation2DRangeScan& o);
 
-/** MRPT fills its table of a camera's first image after it has let go of its own lock.
- * \exception std::runtime_error unless the table has one entry for each of the pixels */
-const mrpt::obs::CObservation3DRangeScan::unproject_LUT_t& unprojectionOf(
-    const mrpt::obs::CObservation3DRangeScan& o, std::size_t pixels);
+/** Where each pixel of a depth image looks: what a range of 1 is in the sensor's frame. */
+struct PixelDirections {
+    std::vector<float> x, y, z;
+};
+/** Those of the camera, for all its images. Not MRPT's own table: that is filled after MRPT has let
+ * go of its lock, and freed under its readers when there are more than 100.
+ * \exception std::runtime_error unless the image is as large as the camera's */
+std::shared_ptr<const PixelDirections> pixelDirectionsOf(
+    const mrpt::obs::CObservation3DRangeScan& o);
 
 template <class Visitor>
 void forEachBeam(const mrpt::obs::CObservation2DRangeScan& o, bool with_free, Visitor&& visit) {
@@ -75,13 +81,13 @@ void forEachBeam(const mrpt::obs::CObservation3DRangeScan& o, bool with_free, Vi
         if (o.hasPoints3D) forEachPoint(o.points3D_x, o.points3D_y, o.points3D_z, visit);
         return;
     }
-    const auto& table = unprojectionOf(o, n);
+    const auto directions = pixelDirectionsOf(o);
     const uint16_t* range = o.rangeImage.data();
     for (std::size_t i = 0; i < n; i++) {
         const bool hit = range[i] != 0;
         if (!hit && !with_free) continue;
         const double d = hit ? range[i] * static_cast<double>(o.rangeUnits) : o.maxRange;
-        visit(d * table.Kxs[i], d * table.Kys[i], d * table.Kzs[i], hit);
+        visit(d * directions->x[i], d * directions->y[i], d * directions->z[i], hit);
     }
 }
 
