@@ -45,7 +45,7 @@ struct NearestNeighborsInterface {};  // AkiMap's nn_ functions are there all th
  *
  * Frames: rays are in the map frame; observations are placed by robotPose (+) sensorPose.
  * Threads: concurrent const calls are safe; insertions, clear(), loading, assignment and changes of
- * options must be alone. For a given seed the map's bits do not depend on the number of threads. */
+ * options must be alone, but for snapshot(). For a given seed the map's bits do not depend on the number of threads. */
 class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     DEFINE_SERIALIZABLE(AkiMap, akimap)
  public:
@@ -83,6 +83,12 @@ class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     /** The insertion options as they are used at this cell size: with what 0 stands for filled in,
      * and clamped values clamped. */
     [[nodiscard]] InsertionParameters optionsInForce() const;
+
+    /** The map between two scans, which never changes: for threads that read while another inserts.
+     * May be called at the same time as an insertion, whose end it waits for. Its cells are shared
+     * until the next scans change them; what is asked for again before the map or its options
+     * change is the same object, search trees and all. */
+    [[nodiscard]] std::shared_ptr<const AkiMap> snapshot() const;
 
     /** Removes all cells and takes a new cell size [m]. */
     void setResolution(double resolution);

@@ -33,6 +33,21 @@ AkiMap& AkiMap::operator=(const AkiMap& o) {
     return *this;
 }
 
+std::shared_ptr<const AkiMap> AkiMap::snapshot() const {
+    const std::lock_guard lock(impl_->changing);
+    std::string options =
+        insertionOptions.toText() + likelihoodOptions.toText() + renderingOptions.toText();
+    for (const bool option :
+         {genericMapParams.enableSaveAs3DObject, genericMapParams.enableObservationLikelihood,
+          genericMapParams.enableObservationInsertion})
+        options += option ? '1' : '0';
+    if (!impl_->newest_snapshot || impl_->snapshot_options != options) {
+        impl_->newest_snapshot = AkiMap::Create(*this);
+        impl_->snapshot_options = options;
+    }
+    return impl_->newest_snapshot;
+}
+
 void AkiMap::internal_clear() {
     setResolution(resolution());
 }

@@ -6,6 +6,8 @@ namespace akimap {
 
 bool AkiMap::insertRays(const std::vector<Ray>& rays) {
     AkiMapImpl& map = *impl_;
+    const std::lock_guard lock(map.changing);
+    map.newest_snapshot.reset();  // blocks that nobody else has need not be copied
     if (!map.estimator || map.estimator_name != insertionOptions.estimator) {
         insertionOptions.validate();
         map.estimator = makeEstimator(insertionOptions.estimator);

@@ -5,6 +5,8 @@
 #include <akimap/AkiMap.h>
 
 #include <memory>
+#include <mutex>
+#include <string>
 
 #include "estimators/estimators.h"
 #include "queries/SurfaceCache.h"
@@ -19,6 +21,8 @@ struct AkiMapImpl {
     AkiMapImpl& operator=(const AkiMapImpl&) = delete;
     /** Replaces the state and keeps the workspace. */
     void setState(BlockGrid&& cells, uint64_t scan, const InsertionStats& counted) {
+        const std::lock_guard lock(changing);
+        newest_snapshot.reset();
         grid = std::move(cells), next_scan = scan, stats = counted;
         surface.drop();
     }
@@ -30,6 +34,9 @@ struct AkiMapImpl {
     SurfaceCache surface;                      ///< of the cells; dropped with each change
     std::unique_ptr<ScanEstimator> estimator;  ///< of the last insertion, for its workspace
     Estimator estimator_name{};                ///< which it is
+    std::mutex changing;                       ///< held while the cells change or are copied
+    std::shared_ptr<const AkiMap> newest_snapshot;
+    std::string snapshot_options;              ///< with which it was made
     const RobotPoseAt* moving_pose = nullptr;  ///< set during insertMovingObservation()
 };
 
