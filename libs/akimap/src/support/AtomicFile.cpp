@@ -91,16 +91,15 @@ AtomicFile::AtomicFile(const std::string& target) : target_(target) {
 void AtomicFile::createTemporary() {
     struct stat older {};
     const bool is_there = stat(destination_.c_str(), &older) == 0;
-    const std::string path = temporaryBeside(destination_);
-    registration_ = rememberPendingFile(path);
-    const Descriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+    path_ = temporaryBeside(destination_);  // all that needs memory comes before the file is there
+    registration_ = rememberPendingFile(path_);
+    const Descriptor file(open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
                                is_there ? 0600 : 0666));
-    if (file.isOpen()) path_ = path;
-    if (!file.isOpen() || (is_there && !takeOver(file.number(), older))) {
-        const int error = errno;
-        remove();
-        throwCannotWrite(target_, std::strerror(error));
-    }
+    if (file.isOpen() && (!is_there || takeOver(file.number(), older))) return;
+    const int error = errno;
+    if (!file.isOpen()) path_.clear();  // whatever has that name is not ours
+    remove();
+    throwCannotWrite(target_, std::strerror(error));
 }
 
 void AtomicFile::remove() {
@@ -116,13 +115,14 @@ AtomicFile::~AtomicFile() {
 
 void AtomicFile::commit() {
     if (!registration_) return;
+    const std::string folder = fs::path(destination_).parent_path() / ".";
     if (!flush(path_, O_WRONLY) || std::rename(path_.c_str(), destination_.c_str()) != 0)
         throwCannotWrite(target_, std::strerror(errno));
     forgetPendingFile(registration_);
     registration_ = nullptr;
     // The file is in its place: that its folder can't be flushed, as one without the right to be
     // read, is no failure.
-    flush(fs::path(destination_).parent_path() / ".", O_RDONLY | O_DIRECTORY);
+    flush(folder, O_RDONLY | O_DIRECTORY);
 }
 
 void AtomicFile::checkWritable(const std::string& target) {
