@@ -9,9 +9,11 @@
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfTriangles.h>
 #include <octomap/OcTree.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -266,10 +268,40 @@ TEST_F(Export, AnUnwritablePlaceIsRefusedAndLeavesNothing) {
 
 TEST_F(Export, AFullDiskIsNoticed) {
     if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-    for (const char* name : {"full.csv", "full.ply", "full.bt"}) {
+    for (const char* name :
+         {"full.csv", "full.ply", "full.pcd", "full.bt", "full.ot", "full.3Dscene", "full.png"}) {
         std::filesystem::create_symlink("/dev/full", file(name));
         EXPECT_THROW(exportMap(map, file(name)), std::runtime_error) << name;
     }
+}
+
+/** A limit of the files' size is as a disk with so much room. */
+TEST_F(Export, WhereverADiskIsFullTheOlderFileStays) {
+    const auto usual = std::signal(SIGXFSZ, SIG_IGN);
+    const auto limitFiles = [](rlim_t bytes) {
+        struct rlimit limit {};
+        getrlimit(RLIMIT_FSIZE, &limit);
+        limit.rlim_cur = std::min(bytes, limit.rlim_max);
+        setrlimit(RLIMIT_FSIZE, &limit);
+    };
+    for (const char* name : {"m.csv", "m.ply", "m.pcd", "m.bt", "m.ot", "m.3Dscene", "m.png"}) {
+        const std::string whole = readText(exported(name));
+        const std::size_t step = (whole.size() / 8 / 4096 + 1) * 4096;
+        for (std::size_t room = 0; room < whole.size(); room += step) {
+            writeText(file(name), "older");
+            limitFiles(room);
+            EXPECT_THROW(exportMap(map, file(name)), std::runtime_error) << name << ", " << room;
+            limitFiles(RLIM_INFINITY);
+            EXPECT_EQ(readText(file(name)), "older") << name << ", " << room;
+        }
+        limitFiles(whole.size());
+        EXPECT_NO_THROW(exportMap(map, file(name))) << name;
+        limitFiles(RLIM_INFINITY);
+        EXPECT_EQ(readText(file(name)), whole) << name;
+        std::filesystem::remove(file(name));
+        EXPECT_EQ(filesInFolder(), 0u) << name;
+    }
+    std::signal(SIGXFSZ, usual);
 }
 
 TEST_F(Export, TheProgramRefusesBadInputInOneLine) {

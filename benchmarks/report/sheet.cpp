@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "pictures/picture.h"
+#include "pictures/png.h"
 #include "support/AtomicFile.h"
 
 namespace akimap::bench {
@@ -56,9 +57,7 @@ CImage whiteSheet(int width, int height) {
 }
 
 void saveWhole(const CImage& sheet, const std::string& file) {
-    writeAtomically(file, [&](const std::string& path) {
-        if (!sheet.saveToFile(path)) throw std::runtime_error("no picture came out");
-    });
+    writeWhole(file, app::pngOf(sheet));
 }
 
 void writeSheet(const Scene& scene, const std::vector<NamedMap>& maps, const std::string& file) {

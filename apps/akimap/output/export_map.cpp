@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <functional>
+#include <new>
 #include <stdexcept>
 
 #include "output/formats.h"
@@ -48,6 +49,8 @@ void exportMap(const AkiMap& map, const std::string& file, const ExportOptions& 
     AtomicFile output(file);
     try {
         format.write(map, output.path(), options);
+    } catch (const std::bad_alloc&) {
+        throw;
     } catch (const std::exception& e) {
         throw std::runtime_error("cannot export to '" + file + "': " + e.what());
     }

@@ -3,11 +3,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include <cerrno>
-#include <cstring>
-
 #include "output/formats.h"
 #include "pictures/picture.h"
+#include "pictures/png.h"
+#include "support/stream.h"
 
 namespace akimap::app {
 
@@ -16,10 +15,9 @@ void writePng(const AkiMap& map, const std::string& path, const ExportOptions& o
     const MapView view = viewOf(map, options.threshold);
     std::optional<Viewpoint> viewpoint;
     if (view.cells.occupied.size() > 0) viewpoint = chooseViewpoint(view, options);
-    const auto picture = draw(view, viewpoint, options);
-    errno = 0;
-    if (!picture.saveToFile(path))
-        throw std::runtime_error(errno ? std::strerror(errno) : "the picture could not be written");
+    std::ofstream out = openForWriting(path);
+    out << pngOf(draw(view, viewpoint, options));
+    closeWritten(out);
 }
 
 }  // namespace akimap::app
