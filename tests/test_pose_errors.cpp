@@ -60,30 +60,35 @@ TEST(PoseErrors, LeaveTheTruthAlone) {
 
 /** Root mean square of the errors of a scan over many drives, on an axis: position [m], yaw. */
 struct Spread {
-    double position, angle;
-};
-Spread spreadOf(const PoseErrors& errors, std::size_t scan) {
-    constexpr int kDrives = 60;
     double position = 0, angle = 0;
+};
+/** Of each scan of a drive. */
+std::vector<Spread> spreadsOf(const PoseErrors& errors) {
+    constexpr int kDrives = 60;
+    std::vector<Spread> spreads(12);
     for (int seed = 1; seed <= kDrives; seed++) {
         const SimulatedDrive d = drive(errors, static_cast<uint64_t>(seed), SensorKind::pointcloud);
-        const CPose3D off = d.scans[scan].robot_pose - d.true_trajectory.at(d.scans[scan].time);
-        position += off.norm() * off.norm() / 3;
-        angle += off.yaw() * off.yaw();
+        for (std::size_t i = 0; i < spreads.size(); i++) {
+            const SimulatedScan& scan = d.scans.at(i);
+            const CPose3D off = scan.robot_pose - d.true_trajectory.at(scan.time);
+            spreads[i].position += off.norm() * off.norm() / 3 / kDrives;
+            spreads[i].angle += off.yaw() * off.yaw() / kDrives;
+        }
     }
-    return {std::sqrt(position / kDrives), std::sqrt(angle / kDrives)};
+    for (Spread& s : spreads) s = {std::sqrt(s.position), std::sqrt(s.angle)};
+    return spreads;
 }
 
 TEST(PoseErrors, AreWhiteOrDrift) {
-    const PoseErrors white{0.02, 0.01, 0, 0}, drift{0, 0, 0.02, 0.01};
+    const auto white = spreadsOf({0.02, 0.01, 0, 0}), drift = spreadsOf({0, 0, 0.02, 0.01});
     for (const std::size_t scan : {0, 9}) {
-        EXPECT_NEAR(spreadOf(white, scan).position, 0.02, 0.004);
-        EXPECT_NEAR(spreadOf(white, scan).angle, 0.01, 0.003);
+        EXPECT_NEAR(white[scan].position, 0.02, 0.004);
+        EXPECT_NEAR(white[scan].angle, 0.01, 0.003);
     }
-    EXPECT_LT(spreadOf(drift, 0).position, 1e-9);
-    EXPECT_NEAR(spreadOf(drift, 1).position, 0.02, 0.004);
-    EXPECT_NEAR(spreadOf(drift, 9).position, 3 * 0.02, 0.012);  // sqrt(9) steps
-    EXPECT_NEAR(spreadOf(drift, 9).angle, 3 * 0.01, 0.009);
+    EXPECT_LT(drift[0].position, 1e-9);
+    EXPECT_NEAR(drift[1].position, 0.02, 0.004);
+    EXPECT_NEAR(drift[9].position, 3 * 0.02, 0.012);  // sqrt(9) steps
+    EXPECT_NEAR(drift[9].angle, 3 * 0.01, 0.009);
 }
 
 TEST(PoseErrors, AreRefusedBelowZero) {
