@@ -12,6 +12,7 @@
 #include "grid/sections.h"
 #include "run_program.h"
 #include "same_map.h"
+#include "sanitized.h"
 #include "support/gz.h"
 
 using namespace akimap;
@@ -403,4 +404,28 @@ TEST(CorruptMap, ClaimsOfHugeSizesAreNeverAllocated) {
         EXPECT_NE(refusal(bytes), "");
         EXPECT_LT(largest_request, (1u << 18) + 4 * bytes.size());
     }
+}
+
+/** gz can hold a thousand times its size, and cells that are all alike come near that. */
+TEST(CorruptMap, MoreCellsThanThereIsMemoryForEndInOneLine) {
+    if (sanitized()) GTEST_SKIP() << "sanitizers take the whole address space";
+    Parts parts = partsOfTinyMap();
+    const std::string block = part(parts, "CELL").payload.substr(0, 4096);
+    std::string &places = part(parts, "BLKS").payload, &cells = part(parts, "CELL").payload;
+    places.clear(), cells.clear();
+    for (uint32_t i = 0; i < 60000; i++) {
+        const std::size_t at = places.size();
+        places.resize(at + 12);
+        putWord(places, at, i);
+        cells += block;
+    }
+    const TemporaryFolder folder;
+    const std::string file = folder.file("m.akimap"), bytes = streamOf(parts);
+    writeGz(file, [&](GzWriter& gz) { gz.Write(bytes.data(), bytes.size()); });
+    EXPECT_LT(std::filesystem::file_size(file), bytes.size() / 50);
+    const auto run =
+        runCommand("ulimit -v 400000 && '" AKIMAP_PROGRAM "' info '" + file + "'");  // [kB]
+    EXPECT_EQ(run.exit, 1);
+    EXPECT_EQ(run.err.rfind("akimap: out of memory", 0), 0u) << run.err;
+    EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
 }
