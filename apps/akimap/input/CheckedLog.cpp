@@ -104,7 +104,7 @@ void limitMemory(const std::string& file) {
     struct rlimit limit {};
     getrlimit(RLIMIT_AS, &limit);
     limit.rlim_cur =
-        std::min(limit.rlim_max, now + kBase + kTimesPacked * std::filesystem::file_size(file));
+        std::min(limit.rlim_cur, now + kBase + kTimesPacked * std::filesystem::file_size(file));
     setrlimit(RLIMIT_AS, &limit);
 #else
     static_cast<void>(file);
