@@ -308,9 +308,10 @@ TEST(Observations, NearVelodyneReturnsAreLeftToOurRangeRule) {
     for (auto& packet : near.scan_packets)
         for (auto& block : packet.blocks)
             for (auto& r : block.laser_returns) {
-                const auto quarter = static_cast<uint16_t>(r.distance() / 4);
-                std::memcpy(static_cast<void*>(&r), &quarter,
-                            sizeof quarter);  // its first two bytes, little-endian
+                uint16_t distance = 0;  // its first two bytes, little-endian
+                std::memcpy(&distance, &r, sizeof distance);
+                distance = static_cast<uint16_t>(distance / 4);
+                std::memcpy(static_cast<void*>(&r), &distance, sizeof distance);
             }
     EXPECT_GT(rays(near).size(), all * 99 / 100);  // MRPT's default would drop all within 1 m
 }

@@ -70,9 +70,11 @@ void decodePacketsAndFree(const CObservationVelodyneScan& o, PacketRays& receive
     CObservationVelodyneScan all = o;
     for (auto& packet : all.scan_packets)
         for (auto& block : packet.blocks)
-            for (auto& r : block.laser_returns)
-                if (r.distance() == 0)  // its first two bytes, in either order
-                    std::memset(static_cast<void*>(&r), 0xff, sizeof(uint16_t));
+            for (auto& r : block.laser_returns) {
+                uint16_t distance = 0;  // its first two bytes, in either order: MRPT's own function
+                std::memcpy(&distance, &r, sizeof distance);  // takes them to be aligned
+                if (distance == 0) std::memset(static_cast<void*>(&r), 0xff, sizeof distance);
+            }
     receiver.endAt(std::min(o.maxRange, kBelowLargest));
     all.maxRange = 2 * kBelowLargest;
     decodePackets(all, receiver);
