@@ -29,7 +29,7 @@ for format in "${formats[@]}"; do
   prefix=$build/findings/$format/
   case $format in rawlog | simplemap) prefix=$build/contained/ ;; esac
   "$build/bin/fuzz_$format" -max_total_time="$seconds" -timeout=10 -malloc_limit_mb=512 \
-    -max_len=20000 -print_final_stats=1 -artifact_prefix="$prefix" \
+    -max_len=30000 -print_final_stats=1 -artifact_prefix="$prefix" \
     "$build/corpus/$format" >"$log" 2>&1 || { status=1; echo "fuzz_$format: a finding, see $log"; }
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   coverage=$(grep -o 'cov: [0-9]*' "$log" | tail -n 1)
