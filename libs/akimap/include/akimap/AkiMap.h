@@ -45,7 +45,8 @@ struct NearestNeighborsInterface {};  // AkiMap's nn_ functions are there all th
  *
  * Frames: rays are in the map frame; observations are placed by robotPose (+) sensorPose.
  * Threads: concurrent const calls are safe; insertions, clear(), loading, assignment and changes of
- * options must be alone, but for snapshot(). For a given seed the map's bits do not depend on the number of threads. */
+ * options must be alone, but for snapshot(). For a given seed the map's bits do not depend on the
+ * number of threads. */
 class AkiMap : public mrpt::maps::CMetricMap, public NearestNeighborsInterface {
     DEFINE_SERIALIZABLE(AkiMap, akimap)
  public:
