@@ -59,6 +59,13 @@ double allocated() {
     return static_cast<double>(all.uordblks + all.hblkhd);
 }
 
+/** What this thread has worked [s]: other programs do not count. */
+double worked() {
+    struct timespec time {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 /** Time and memory of a tenth of the scans. */
 struct Tenth {
     double seconds = 0, bytes = 0;  ///< of a scan, of the process at the end
@@ -69,11 +76,9 @@ std::array<Tenth, 10> inTenths(Insert&& insert) {
     std::array<Tenth, 10> tenths;
     const std::size_t n = scans() / 10;
     for (std::size_t t = 0; t < 10; t++) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start = worked();
         for (std::size_t i = 0; i < n; i++) insert(t * n + i);
-        tenths[t].seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() /
-            static_cast<double>(n);
+        tenths[t].seconds = (worked() - start) / static_cast<double>(n);
         tenths[t].bytes = allocated();
         std::cout << "scan " << (t + 1) * n << ": " << tenths[t].seconds * 1e3 << " ms a scan, "
                   << tenths[t].bytes / 1e6 << " MB\n";
@@ -146,13 +151,6 @@ TEST(Soak, ACorridorForADayGrowsWithItsLength) {
     EXPECT_LT(tenths[9].seconds, 1.5 * tenths[1].seconds);
     std::cout << map.blockCount() << " blocks, " << static_cast<double>(map.memoryBytes()) / 1e6
               << " MB\n";
-}
-
-/** What this thread has worked [s]: other programs do not count. */
-double worked() {
-    struct timespec time {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /** A writer at 10 Hz, and readers that never pause. */
