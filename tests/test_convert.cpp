@@ -54,7 +54,8 @@ TEST_F(Convert, CloudsGiveTheSameMapByRawlogAndSimplemap) {
 
 TEST_F(Convert, IntensitiesAndPosesAreKept) {
     ASSERT_EQ(convert(clouds(), "o.rawlog").exit, 0);
-    akimap::app::ObjectReader reader(file("o.rawlog"));
+    using namespace akimap::app;
+    ObjectReader reader(CheckedLog(file("o.rawlog"), ExternalFiles::beside_log));
     const auto pose = std::dynamic_pointer_cast<CObservationRobotPose>(reader.next());
     const auto cloud = std::dynamic_pointer_cast<CObservationPointCloud>(reader.next());
     ASSERT_TRUE(pose && cloud);

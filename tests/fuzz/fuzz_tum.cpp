@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026, the akimap developers
-#include "input/RobotPath.h"
+#include "input/poses/RobotPath.h"
 
 #include "fuzz.h"
 
