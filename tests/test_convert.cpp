@@ -4,6 +4,7 @@
 // `akimap convert` and `akimap check`.
 #include <mrpt/maps/CPointsMapXYZI.h>
 
+#include "alike.h"
 #include "build_fixture.h"
 #include "input/ObjectReader.h"
 
@@ -13,17 +14,18 @@ using namespace build_tests;
 
 class Convert : public Build {
  protected:
-    /** A wall at x = 5 of the map, from which the sensor drives away. \return the arguments */
+    /** A wall at x = 5.013 of the map, from which the sensor drives away. \return the arguments */
     std::string clouds() const {
         std::filesystem::create_directories(file("scans"));
         std::string poses;
         for (int i = 0; i < kScans; i++) {
             std::string points = "x,y,z,intensity\n";
             for (int k = 0; k < 400; k++)
-                points += std::to_string(5 + 0.5 * i) + "," + std::to_string(0.1 * (k % 20) - 1) +
-                          "," + std::to_string(0.1 * (k / 20) - 1) + "," + std::to_string(k) + "\n";
+                points += std::to_string(5 + 0.5 * i) + "," +
+                          std::to_string(0.1 * (k % 20) - 0.987) + "," +
+                          std::to_string(0.1 * (k / 20) - 0.987) + "," + std::to_string(k) + "\n";
             write("scans/" + std::to_string(i) + ".csv", points);
-            poses += "1 0 0 " + std::to_string(-0.5 * i) + " 0 1 0 0 0 0 1 0\n";
+            poses += "1 0 0 " + std::to_string(0.013 - 0.5 * i) + " 0 1 0 0.013 0 0 1 0.013\n";
         }
         return file("scans") + " --poses " + write("poses.txt", poses);
     }
@@ -40,7 +42,9 @@ class Convert : public Build {
 };
 
 TEST_F(Convert, CloudsGiveTheSameMapByRawlogAndSimplemap) {
-    const std::string direct = buildMap(clouds());
+    buildMap(clouds());
+    const std::string direct = file("direct.akimap");  // whose points are no floats
+    std::filesystem::rename(file("m.akimap"), direct);
     for (const char* out : {"o.rawlog", "o.simplemap"}) {
         const auto run = convert(clouds(), out);
         ASSERT_EQ(run.exit, 0) << run.err;
@@ -48,7 +52,7 @@ TEST_F(Convert, CloudsGiveTheSameMapByRawlogAndSimplemap) {
         buildMap(file(out));
         EXPECT_EQ(json()["scans"], kScans);
         EXPECT_EQ(json()["points"], kScans * 400);
-        EXPECT_EQ(fingerprint(file("m.akimap")), direct) << out;
+        EXPECT_GT(akimap::test::alike(file("m.akimap"), direct), 0.999) << out;
     }
 }
 
@@ -94,7 +98,7 @@ TEST_F(Convert, ObservationsToMapMakesTheSameMap) {
                    "' observations2map '" + ini + "' o.simplemap out");
     ASSERT_EQ(run.exit, 0) << run.err;
     buildMap(clouds());
-    EXPECT_EQ(fingerprint(file("out_akimap__AkiMap_00.akimap")), fingerprint(file("m.akimap")));
+    EXPECT_GT(akimap::test::alike(file("out_akimap__AkiMap_00.akimap"), file("m.akimap")), 0.999);
 }
 
 TEST_F(Convert, WhatCannotBeIsRefused) {
@@ -121,7 +125,7 @@ TEST_F(Convert, CheckTellsWhatIsThere) {
         EXPECT_TRUE(holds(out, part)) << out << "lacks " << part;
     EXPECT_EQ(figures()["scans"], 5);
     EXPECT_EQ(figures()["agreement"], 1);
-    EXPECT_NEAR(figures()["highest"][0].get<double>(), 5, 1e-6);
+    EXPECT_NEAR(figures()["highest"][0].get<double>(), 5.013, 1e-6);
 }
 
 TEST_F(Convert, CheckTellsOfPosesThatDoNotMatch) {

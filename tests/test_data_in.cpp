@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "alike.h"
 #include "build_fixture.h"
 
 #include <akimap/queries.h>
@@ -91,22 +92,6 @@ class DataIn : public Build {
         }
         return write("kitti.txt", text);
     }
-    /** Share of the cells of two maps' that are of the same kind. */
-    double alike(const std::string& a, const std::string& b) const {
-        const auto one = AkiMap::loadFromFile(a), other = AkiMap::loadFromFile(b);
-        std::size_t same = 0, all = 0;
-        const auto compare = [&](const AkiMap& x, const AkiMap& y, bool count_common) {
-            x.forEachCell([&](const akimap::Cell& c) {
-                const auto there = y.cell(c.x, c.y, c.z);
-                if (there && !count_common) return;
-                all++;
-                same += there && akimap::kindOf(c.state) == akimap::kindOf(*there);
-            });
-        };
-        compare(*one, *other, true);
-        compare(*other, *one, false);
-        return static_cast<double>(same) / static_cast<double>(all);
-    }
     /** The map of the rooms at their poses, made without the program. */
     std::string expectedRooms() const {
         AkiMap map;
@@ -125,7 +110,7 @@ class DataIn : public Build {
         const auto run = build(arguments);
         ASSERT_EQ(run.exit, 0) << arguments << ": " << run.err;
         EXPECT_EQ(run.err, "") << arguments;
-        EXPECT_GT(alike(file("m.akimap"), expectedRooms()), 0.999) << arguments;
+        EXPECT_GT(akimap::test::alike(file("m.akimap"), expectedRooms()), 0.999) << arguments;
     }
 };
 
@@ -411,7 +396,7 @@ TEST_F(DataIn, TheDenseLidarByKittiPosesAndByTum) {
     const std::string build = "build '" + scans + "' --poses '" + scans;
     ASSERT_EQ(runProgram(build + "/poses_kitti.txt' -o " + file("k.akimap")).exit, 0);
     ASSERT_EQ(runProgram(build + "/trajectory.tum' -o " + file("t.akimap")).exit, 0);
-    EXPECT_GE(alike(file("k.akimap"), file("t.akimap")), 0.999);
+    EXPECT_GE(akimap::test::alike(file("k.akimap"), file("t.akimap")), 0.999);
 }
 
 TEST_F(DataIn, TheOfficeByOneCommand) {

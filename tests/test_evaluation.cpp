@@ -314,10 +314,13 @@ TEST_F(EvalProgram, BadInputIsRefusedInOneLine) {
     expectRefused(map + truth + " --boks 0,0,0,1,1,1");
 }
 
-TEST_F(EvalProgram, AnOlderResultSurvivesARefusal) {
-    writeText(file("e.json"), "older");
-    expectRefused(file("m.akimap") + " --truth " + file("none.bt") + " --json " + file("e.json"));
-    EXPECT_EQ(readText(file("e.json")), "older");
+TEST_F(EvalProgram, AnOlderPictureSurvivesARefusalAndJsonTellsOfIt) {
+    writeText(file("e.json"), "older"), writeText(file("roc.png"), "older");
+    expectRefused(file("m.akimap") + " --truth " + file("none.bt") + " --json " + file("e.json") +
+                  " --roc " + file("roc.png"));
+    EXPECT_EQ(readText(file("roc.png")), "older");
+    EXPECT_NE(readText(file("e.json")).find("\"error\": \"cannot read the truth"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ void writePng(const AkiMap& map, const std::string& path, const ExportOptions& o
     std::optional<Viewpoint> viewpoint;
     if (view.cells.occupied.size() > 0) viewpoint = chooseViewpoint(view, options);
     std::ofstream out = openForWriting(path);
-    out << pngOf(draw(view, viewpoint, options));
+    writeBytes(out, pngOf(draw(view, viewpoint, options)));
     closeWritten(out);
 }
 

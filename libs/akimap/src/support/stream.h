@@ -17,6 +17,13 @@ namespace akimap {
     return out;
 }
 
+/** \exception std::runtime_error with the system's reason */
+inline void writeBytes(std::ofstream& out, const std::string& bytes) {
+    errno = 0;
+    if (!out.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush())
+        throw std::runtime_error(errno ? std::strerror(errno) : "not all could be written");
+}
+
 /** Closes the stream. \exception std::runtime_error with the system's reason if not everything was
  * written; a write that failed before is tried again, so that the reason is the last one's */
 inline void closeWritten(std::ofstream& out) {
