@@ -20,13 +20,12 @@ int main(int argc, char** argv) try {
     const auto scans = app::simulatedRays({});
     AkiMap map;
     map.insertionOptions.threads = 1;
-    map.insertionOptions.estimator =
-        estimator == "paper" ? Estimator::paper : Estimator::surface;
+    map.insertionOptions.estimator = estimator == "paper" ? Estimator::paper : Estimator::surface;
     for (std::size_t i = 0; i < kScans; i++) map.insertRays(scans.at(i));
     const InsertionStats& s = map.stats();
     std::printf("samples %llu\n",
-                static_cast<unsigned long long>(
-                    s.samples_occupied + (estimator == "paper" ? s.samples_free : 0)));
+                static_cast<unsigned long long>(s.samples_occupied +
+                                                (estimator == "paper" ? s.samples_free : 0)));
     return 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "bench_instructions: %s\n", e.what());

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "pictures/plot/PanelPainter.h"
 #include "support/AtomicFile.h"
 #include "support/stream.h"
-#include "pictures/plot/PanelPainter.h"
 
 namespace akimap::app {
 
