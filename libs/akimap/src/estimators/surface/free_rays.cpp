@@ -130,7 +130,7 @@ AKIMAP_INLINE void markFar(const Walk& w, const RayPart& part) {
         const double at = w.end[a] + w.back[a] * part.enter - low[a];
         const int first = std::clamp(static_cast<int>(at), 0, Block::kSide - 1);
         const bool up = w.per_back[a] > 0;
-        cell |= first << 3 * a, step[a] = (up ? 1 : -1) << 3 * a;
+        cell |= first << 3 * a, step[a] = (up ? 1 : -1) * (1 << 3 * a);
         stride[a] = std::abs(w.per_back[a]);
         next[a] = (low[a] + first + up - w.end[a]) * w.per_back[a];
     }
