@@ -52,7 +52,7 @@ demo: configure
 test: all
 	@cd $(BUILD) && ctest --output-on-failure --progress -j$(JOBS)
 
-# BENCHMARK.md and its pictures: every figure in them, in some 17 minutes of CPU time. benchmarks/data.sh
+# BENCHMARK.md and its pictures: every figure in them, in some half an hour. benchmarks/data.sh
 # makes the recordings.
 benchmark: export LA3DM_DIR ?= $(AKIMAP_DATA)/la3dm
 benchmark: configure

@@ -2,6 +2,8 @@
 // Copyright (c) 2026, the akimap developers
 #include "pictures/png.h"
 
+#include "pictures/cairo_bytes.h"
+
 #include <cairo.h>
 
 #include <cstring>
@@ -9,19 +11,6 @@
 #include <stdexcept>
 
 namespace akimap::app {
-
-namespace {
-
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
-void check(cairo_status_t status) {
-    if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
-}
-
-}  // namespace
 
 std::string pngOf(const mrpt::img::CImage& image) {
     const auto width = static_cast<int>(image.getWidth());

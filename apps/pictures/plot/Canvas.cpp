@@ -8,20 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "pictures/cairo_bytes.h"
+
 namespace akimap::app {
 
 namespace {
 
 constexpr double kPixelsPerPoint = 2;
-
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
-void check(cairo_status_t status) {
-    if (status != CAIRO_STATUS_SUCCESS) throw std::runtime_error(cairo_status_to_string(status));
-}
 
 }  // namespace
 

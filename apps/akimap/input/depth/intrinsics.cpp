@@ -16,21 +16,6 @@ namespace akimap::app {
 
 namespace {
 
-std::vector<double> numbersOf(std::string text) {
-    for (char& c : text)
-        if (c == ',' || c == '\n') c = ' ';
-    std::vector<std::string_view> words;
-    splitWords(text, words);
-    std::vector<double> numbers;
-    for (const auto word : words) {
-        double value = 0;
-        if (!parseNumber(word, value) || !std::isfinite(value))
-            throw std::runtime_error("'" + std::string(word) + "' is not a finite number");
-        numbers.push_back(value);
-    }
-    return numbers;
-}
-
 /** Open3D writes the matrix column by column. */
 std::vector<double> numbersOfJson(const std::string& text) {
     const auto m = nlohmann::json::parse(text).at("intrinsic_matrix").get<std::vector<double>>();
@@ -58,10 +43,10 @@ Intrinsics readIntrinsics(const std::string& text) {
     const bool is_text = text.find_first_not_of("0123456789+-.eE, ") == std::string::npos &&
                          !std::filesystem::exists(text);
     try {
-        if (is_text) return fromNumbers(numbersOf(text));
+        if (is_text) return fromNumbers(finiteNumbersOf(text));
         const std::string content = textOf(text);
         const bool is_json = std::filesystem::path(text).extension() == ".json";
-        return fromNumbers(is_json ? numbersOfJson(content) : numbersOf(content));
+        return fromNumbers(is_json ? numbersOfJson(content) : finiteNumbersOf(content));
     } catch (const std::exception& e) {
         const std::string what = e.what();
         throw std::runtime_error("--intrinsics: " +

@@ -31,21 +31,6 @@ std::string poseTextOf(const std::string& file) {
     return all;
 }
 
-std::vector<double> numbersOf(std::string text) {
-    std::replace(text.begin(), text.end(), ',', ' ');
-    std::replace(text.begin(), text.end(), '\n', ' ');
-    std::vector<std::string_view> words;
-    splitWords(text, words);
-    std::vector<double> numbers;
-    for (const auto word : words) {
-        double value = 0;
-        if (!parseNumber(word, value) || !std::isfinite(value))
-            throw std::runtime_error("'" + std::string(word) + "' is not a finite number");
-        numbers.push_back(value);
-    }
-    return numbers;
-}
-
 CPose3D poseOfNumbers(const std::vector<double>& v) {
     constexpr double kDegree = M_PI / 180;
     if (v.size() == 6)
@@ -63,7 +48,7 @@ CPose3D poseArgument(const std::string& option, const std::string& text) {
     const bool is_file = std::filesystem::is_regular_file(text, ignored);
     const bool looks_like_file = text.find_first_not_of("0123456789+-.eE, ") != std::string::npos;
     try {
-        return poseOfNumbers(numbersOf(is_file || looks_like_file ? poseTextOf(text) : text));
+        return poseOfNumbers(finiteNumbersOf(is_file || looks_like_file ? poseTextOf(text) : text));
     } catch (const std::runtime_error& e) {
         const std::string what = e.what();
         const bool is_named = is_file && what.find(text) == 0;

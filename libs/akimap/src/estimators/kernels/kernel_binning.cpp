@@ -88,10 +88,8 @@ void BlockBins::bin() {
 }
 
 void binKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                BinnedKernels& s, KernelWeight weight) {
+                BinnedKernels& s) {
     makeKernels(samples, H, resolution, s);
-    if (weight == KernelWeight::one)
-        for (Kernel& k : s.kernels) k.weight = 1;
     s.bin();
 }
 

@@ -52,16 +52,10 @@ struct BinnedKernels : BlockBins {
     std::vector<Kernel> kernels;
 };
 
-/** What a kernel is worth at its centre. */
-enum class KernelWeight : uint8_t {
-    density,  ///< |H|^(-1/2) [m^-3]: the paper's
-    one
-};
-
 /** Makes the kernels of a scan and bins them by the blocks of 8^3 cells that they meet. Runs in the
  * caller's TBB arena. */
 void binKernels(const Samples& samples, const std::vector<Symmetric3>& H, double resolution,
-                BinnedKernels& binned, KernelWeight weight);
+                BinnedKernels& binned);
 
 /** Adds the kernels that meet block number b of binKernels() to the sums of its cells, in the
  * samples' order: those of occupied samples to alpha, the others to beta.

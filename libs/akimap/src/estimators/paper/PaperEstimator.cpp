@@ -46,7 +46,7 @@ bool PaperEstimator::insert(const Scan& scan, const InsertionParameters& p, Bloc
 }
 
 bool scatter(PaperWorkspace& w, BlockGrid& grid) {
-    binKernels(w.samples, w.H, grid.resolution(), w.kernels, KernelWeight::density);
+    binKernels(w.samples, w.H, grid.resolution(), w.kernels);
     const auto placeOf = [&](std::size_t b) {
         return blockInMap(w.kernels.keys[b], w.samples.anchor);
     };

@@ -146,8 +146,8 @@ void addSurfaceSums(Block& block) {
     auto sums = std::make_unique<SurfaceSums>();
     for (std::size_t i = 0; i < Block::kCells; i++) {
         sums->weight[i] = block.alpha[i] / kSurfaceWeight;
-        const float through =
-            block.beta[i] / kThroughWeight;  // where there was a surface: all of it
+        const float through = block.beta[i] / kThroughWeight;
+        // Where an older map had a surface all of it counts, as the surface does.
         sums->through[i] = block.alpha[i] > 0 ? through : std::min(through, kMostBefore);
     }
     block.surface = std::move(sums);

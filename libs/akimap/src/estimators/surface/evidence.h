@@ -29,8 +29,8 @@ struct ScanFreeSpace {
     double radius;
 };
 
-/** Adds one scan to the map: to each cell at most one observation of a surface and one of free
- * space, the surface before the free space. One task a block, so the sums are the same for any
+/** Adds one scan to the map: to each cell at most one observation of a surface and one of rays that
+ * passed (doc/design.md). One task a block, so the sums are the same for any
  * number of threads; runs in the caller's TBB arena.
  * \param anchor of the hits
  * \param patches of the hits, by binPatches()
